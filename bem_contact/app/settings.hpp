@@ -17,17 +17,7 @@ BEM_CONTACT_TUNED(double, largest_table, 4.0);
 /// this along the strip. Chosen, not measured.
 BEM_CONTACT_TUNED(double, largest_variation, 0.01);
 
-// Result files.
-
-/// Bytes. A larger input is not kept in result files, only its digest. A measured profile has 100 kB; a step
-/// table of 100000 rows has 5 MB. Chosen.
-BEM_CONTACT_TUNED(std::size_t, largest_kept_input, 10'000'000);
-
 // Numbers and messages.
-
-/// Digits of a value whose error is far below it. Without a limit, an error of 1e-14 would print as many
-/// digits as a double has. Chosen.
-BEM_CONTACT_TUNED(int, most_digits, 10);
 
 /// Characters. A message that came several times is counted at the end, and quoted up to this length: enough
 /// to recognise it. Chosen.

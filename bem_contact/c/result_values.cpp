@@ -15,24 +15,14 @@ namespace bem_contact {
 namespace {
 
 /// The names of sequence/quantities.hpp in the order of conformal_contact.h.
-constexpr std::array<const char*, CONFORMAL_TOTALS> total_names{"Fx",
-                                                                "Fy",
-                                                                "Fz",
-                                                                "Fs",
-                                                                "Mz",
-                                                                "approach",
-                                                                "creepage_x",
-                                                                "creepage_s",
-                                                                "pmax",
-                                                                "area",
-                                                                "friction_power",
-                                                                "certificate",
-                                                                "discretisation"};
+constexpr std::array<const char*, CONFORMAL_TOTALS> total_names{
+    "Fx",         "Fy",   "Fz",   "Fs",      "Mz",          "approach",      "creepage_x",
+    "creepage_s", "pmax", "area", "T_gamma", "certificate", "discretisation"};
 constexpr std::array<const char*, CONFORMAL_PATCH_VALUES> patch_names{
-    "Fn",          "Fx",          "Fs",         "approach",    "pmax", "area",  "x",      "s",
+    "Fn",          "Fx",          "Fs",         "overlap",     "pmax", "area",  "x",      "s",
     "contact",     "adhesion",    "slip",       "Fy",          "Fz",   "Mx",    "Ms",     "Mn",
     "semi_axis_a", "semi_axis_b", "axis_angle", "y",           "z",    "delta", "rail_y", "rail_z",
-    "wheel_s",     "wheel_y",     "wheel_z",    "wheel_delta", "xi",   "eta",   "phi",    "friction_power"};
+    "wheel_s",     "wheel_y",     "wheel_z",    "wheel_delta", "xi",   "eta",   "phi",    "T_gamma"};
 constexpr std::array<const char*, CONFORMAL_STATE + 1> array_names{
     "x",    "s",   "y",   "z",      "delta",
     "p_x",  "p_s", "p_n", "slip_x", "slip_s",
@@ -118,7 +108,8 @@ void copy_array(const SceneResult& result, int which, std::span<double> to) {
     for (int ix = 0; ix < grid.mx; ++ix)
       to[static_cast<std::size_t>(ix)] = grid.x(ix);
   } else if (which <= CONFORMAL_DELTA) {
-    std::ranges::copy(named(row_quantities(), name).values(result), to.begin());
+    for (std::size_t row = 0; row < to.size(); ++row)
+      to[row] = named(row_quantities(), name).value(result, row);
   } else {
     named(element_quantities(), name).copy(result, to);
   }

@@ -2,11 +2,11 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/h5/image.hpp"
+#include "bem_contact/h5/strict.hpp"
 #include "bem_contact/influence/file_seal.hpp"
-#include "bem_contact/influence/h5_image.hpp"
 #include "bem_contact/influence/lower_triangle.hpp"
 #include "bem_contact/influence/settings.hpp"
-#include "bem_contact/influence/strict_h5.hpp"
 
 #include <algorithm>
 #include <ostream>
@@ -45,13 +45,13 @@ int format_minor_of(const InfluenceStrip& f) {
   return f.is_table() ? table_format_minor : influence_format_minor;
 }
 
-void write_contents(hid_t root, const InfluenceFunction& f) {
+void write_contents(H5Id root, const InfluenceFunction& f) {
   write(root, "format_major", influence_format_major);
   write(root, "format_minor", format_minor_of(f));
   for_each_scalar(f, [&](const char* name, const auto& value) { write(root, name, value); });
   write(root, "invariance",
         std::string(f.invariance == Invariance::revolution ? revolution_name : prismatic_name));
-  const hsize_t ns = f.station_count(), nk = f.wavenumber_count(), n = 3 * ns;
+  const strict_h5::Extent ns = f.station_count(), nk = f.wavenumber_count(), n = 3 * ns;
   std::vector<double> table;
   for (const Station& station : f.stations)
     table.insert(table.end(), {station.s, station.position.y, station.position.z, station.delta});
@@ -59,7 +59,7 @@ void write_contents(hid_t root, const InfluenceFunction& f) {
   if (f.is_table()) {
     write(root, "table_dx", f.table_dx);
     std::vector<double> lower;
-    for (hsize_t m = 0; m < f.table_offsets(); ++m)
+    for (strict_h5::Extent m = 0; m < f.table_offsets(); ++m)
       append_lower(lower, std::span(f.table).subspan(m * n * n, n * n), n);
     write(root, {"table", {f.table_offsets(), lower_size(n)}, lower, "mm/MPa", true});
     return;
@@ -67,19 +67,15 @@ void write_contents(hid_t root, const InfluenceFunction& f) {
   write(root, {"wavenumber", {nk}, f.wavenumber, "1/mm"});
   std::vector<double> kernel;
   kernel.reserve(f.kernel.size());
-  for (hsize_t k = 0; k < nk; ++k)
-    for (hsize_t entry = 0; entry < f.kernel_size(); ++entry)
+  for (strict_h5::Extent k = 0; k < nk; ++k)
+    for (strict_h5::Extent entry = 0; entry < f.kernel_size(); ++entry)
       kernel.push_back(f.kernel[entry * nk + k]);
   write(root, {"kernel", {nk, lower_size(n)}, kernel, "mm/MPa", true});
   write(root, {"remote", {nk, 6, n}, f.remote, "mm/MPa, 1/MPa", true});
   write(root, {"remote_self", {nk, 6, 6}, f.remote_self, "mm/MPa and per mm of each rotation"});
 }
 
-strict_h5::Handle open_h5(const std::filesystem::path& file) {
-  return {H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "opening '" + file.string() + "'"};
-}
-
-InfluenceStrip read_strip(hid_t root, const std::filesystem::path& file) {
+InfluenceStrip read_strip(H5Id root, const std::filesystem::path& file) {
   InfluenceStrip f;
   for_each_scalar(f, [&](const char* name, auto& value) { read(root, name, value); });
   std::string invariance;
@@ -91,7 +87,7 @@ InfluenceStrip read_strip(hid_t root, const std::filesystem::path& file) {
   const std::vector<double> stations = read_table(root, "stations", {0, 4});
   for (std::size_t i = 0; i < stations.size(); i += 4)
     f.stations.push_back({stations[i], {stations[i + 1], stations[i + 2]}, stations[i + 3]});
-  if (H5Lexists(root, "table", H5P_DEFAULT) > 0) {
+  if (strict_h5::has(root, "table")) {
     read(root, "table_dx", f.table_dx);
     return f;
   }
@@ -119,12 +115,13 @@ std::vector<double> whole_table(std::span<const double> lower, std::size_t n) {
 }
 
 /// The function on some of the strip's stations.
-InfluenceFunction read_part(hid_t root, const InfluenceStrip& strip, StationRange stations) {
+InfluenceFunction read_part(H5Id root, const InfluenceStrip& strip, StationRange stations) {
   std::vector<strict_h5::Columns> numbers; // of the lower triangle
-  const auto first = static_cast<hsize_t>(3 * stations.first), end = static_cast<hsize_t>(3 * stations.end());
-  for (hsize_t row = first; row < end; ++row)
+  const auto first = static_cast<strict_h5::Extent>(3 * stations.first),
+             end = static_cast<strict_h5::Extent>(3 * stations.end());
+  for (strict_h5::Extent row = first; row < end; ++row)
     numbers.push_back({lower_size(row) + first, row - first + 1});
-  const hsize_t all = lower_size(3 * strip.station_count());
+  const strict_h5::Extent all = lower_size(3 * strip.station_count());
   InfluenceFunction f{part_of(strip, stations)};
   if (f.is_table())
     f.table = whole_table(read_columns(root, "table", {0, all}, numbers), end - first);
@@ -144,7 +141,7 @@ StationRange amid(StationRange range, int times, int stations) {
 InfluenceFunction read_influence_file(const std::filesystem::path& file) {
   check_seal(file, influence_format_major);
   const QuietHdf5 quiet;
-  const strict_h5::Handle root = open_h5(file);
+  const strict_h5::Handle root = strict_h5::open_file(file);
   const InfluenceStrip strip = read_strip(root, file);
   validate(strip);
   InfluenceFunction function = read_part(root, strip, strip.all_stations());
@@ -155,7 +152,7 @@ InfluenceFunction read_influence_file(const std::filesystem::path& file) {
 InfluenceFile::InfluenceFile(std::filesystem::path file)
     : path_(std::move(file)), state_(state()), checksum_(check_seal(path_, influence_format_major)) {
   const QuietHdf5 quiet;
-  strip_ = read_strip(open_h5(path_), path_);
+  strip_ = read_strip(strict_h5::open_file(path_), path_);
   validate(strip_);
 }
 
@@ -176,7 +173,7 @@ const InfluenceFunction& InfluenceFile::around(StationRange stations) {
     wanted = amid({first, std::max(held_.end(), stations.end()) - first}, more_stations_read, all);
   }
   const QuietHdf5 quiet;
-  InfluenceFunction part = read_part(open_h5(path_), strip_, wanted);
+  InfluenceFunction part = read_part(strict_h5::open_file(path_), strip_, wanted);
   validate(part);
   part_ = std::move(part);
   held_ = wanted;
@@ -203,7 +200,7 @@ double InfluenceFile::megabytes() const {
 void write_influence_file(const std::filesystem::path& file, const InfluenceFunction& function) {
   validate(function);
   const QuietHdf5 quiet;
-  const H5Image image({.user_block = seal_size}, [&](hid_t root) { write_contents(root, function); });
+  const H5Image image({.user_block = seal_size}, [&](H5Id root) { write_contents(root, function); });
   seal(std::as_writable_bytes(image.bytes()), influence_format_major, format_minor_of(function));
   write_whole(file, [&](std::ostream& out) { out << image; });
 }

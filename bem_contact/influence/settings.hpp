@@ -63,20 +63,12 @@ BEM_CONTACT_TUNED(double, strip_rounding, 1e-9);
 
 // Files.
 
-/// 1. Largest extent of a table that is read: a damaged file asks for no more memory than this.
-BEM_CONTACT_TUNED(std::size_t, most_extent, 1000000);
 /// 1. Of an influence file so many times the stations are read that a first contact needs: its patch may
 /// grow, and the next case be beside it.
 BEM_CONTACT_TUNED(int, first_stations_read, 2);
 /// 1. And so many times those that were needed so far, when the contact has left them: each reading goes
 /// through the file, 5 ms for 15 MB, so there should be few of them. Chosen, as the one before.
 BEM_CONTACT_TUNED(int, more_stations_read, 3);
-/// bytes. A file in memory grows in such steps: few of them for a file of some 100 MB.
-BEM_CONTACT_TUNED(std::size_t, image_increment, 1 << 20);
-/// bytes. Disk space that an HDF5 object may take besides its values, and all tables of a file: more than its
-/// headers and indices do take.
-BEM_CONTACT_TUNED(std::size_t, object_bytes, 4096);
-BEM_CONTACT_TUNED(std::size_t, table_bytes, 1 << 18); ///< bytes. As above.
 /// 1. Error figures that a wavenumber may have in the file of finished ones: more mean a damaged file.
 BEM_CONTACT_TUNED(std::size_t, most_errors, 1000);
 

@@ -1,13 +1,14 @@
 #include "bem_contact/python/functions.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/python/record_object.hpp"
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/uses/conicity/wheelset_conicity.hpp"
-#include "bem_contact/uses/curves/creep_columns.hpp"
+#include "bem_contact/uses/curves/creep_record.hpp"
 #include "bem_contact/uses/wheelset/quantities.hpp"
 
 #include <pybind11/numpy.h>
@@ -53,34 +54,15 @@ py::object results_of(const std::vector<SceneResult>& results) {
   return out;
 }
 
-py::object creep_forces_of(const Comparison& c) {
-  if (c.creep_forces.empty())
-    return py::none();
-  py::dict fx, errors;
-  for (std::size_t m = 0; m < c.models.size(); ++m) {
-    const py::str name(std::string(name_of(c.models[m])));
-    fx[name] = array_of(c.creep_forces.Fx[m]);
-    errors[name] = array_of(c.creep_forces.Fx_error[m]);
-  }
-  return py::dict("xi_from_free_rolling"_a = array_of(c.creep_forces.creepage), "Fx"_a = fx,
-                  "Fx_error"_a = errors);
-}
-
 py::dict compare(const py::object& scene, const py::object& models, const py::object& changes,
                  const py::object& folder) {
   const SceneFile file = scene_file_of(scene, folder, changes_of(changes));
   const Comparison c = stoppable([file, models = models_of(models)](const std::atomic<bool>* stop) {
     return Sequence().compare(file, models, stop);
   });
-  return py::dict("reference"_a = std::string(name_of(c.models[c.reference])),
-                  "at_equal_forces"_a = results_of(c.at_forces), "creep_forces"_a = creep_forces_of(c),
-                  "at_equal_position"_a = results_of(c.at_position));
-}
-
-template <class Row> py::dict dict_of(std::span<const ColumnOf<Row>> columns, const std::vector<Row>& rows) {
-  py::dict out;
-  for (const ColumnOf<Row>& column : columns)
-    out[column.name] = array_of(column.values(rows));
+  py::dict out = as_dict(record_of(c, {.fields = false}));
+  out["at_equal_forces"] = results_of(c.at_forces);
+  out["at_equal_position"] = results_of(c.at_position);
   return out;
 }
 
@@ -94,37 +76,7 @@ py::dict conicity(const py::object& scene, const py::object& changes, const py::
   const WheelsetConicity found = stoppable([=](const std::atomic<bool>* stop) {
     return wheelset_conicity(wheelset, {.largest = to, .step = step}, stop);
   });
-  return py::dict("function"_a = dict_of(stand_columns(), found.stands),
-                  "conicity"_a = dict_of(conicity_columns(), found.values),
-                  "wheel_radius"_a = found.lengths.wheel_radius,
-                  "contact_distance"_a = found.lengths.contact_distance, "rolls"_a = roll);
-}
-
-py::array_t<double> matrix(const CreepMatrix& m) {
-  return py::array_t<double>({3, 3}, m.front().data());
-}
-
-py::dict curve_of(const CreepCurve& curve) {
-  py::dict out;
-  out["creepage"] = array_of(creepages_of(curve));
-  for (const CreepColumn& column : creep_columns())
-    out[column.name] = array_of(column.values(curve.points));
-  return out;
-}
-
-py::dict dict_of(const CreepCurves& c) {
-  py::dict curves;
-  for (const CreepCurve& curve : c.curves)
-    curves[py::str(std::string(name_of(curve.which)))] = curve_of(curve);
-  const CreepForceValues forces = forces_of(c.solution);
-  py::dict out("curves"_a = curves, "forces"_a = py::array_t<double>(3, forces.data()), "bound"_a = c.bound,
-               "radius"_a = c.radius, "model"_a = std::string(name_of(c.solution.model)),
-               "certified"_a = c.certified());
-  for (const CreepMatrixEntry& entry : creep_matrices()) {
-    const CreepMatrix* m = entry.of(c);
-    out[entry.name] = m ? py::object(matrix(*m)) : py::none();
-  }
-  return out;
+  return as_dict(record_of(found, wheelset));
 }
 
 /// Numbers in a list or an array of one dimension; None: no curve.
@@ -154,18 +106,8 @@ py::dict curves(const py::object& scene, const py::object& changes, const py::ob
   add_range(ranges, CreepKind::phi, phi);
   if (ranges.empty())
     ranges = {{CreepKind::xi, {}}, {CreepKind::eta, {}}, {CreepKind::phi, {}}};
-  return dict_of(stoppable([=](const std::atomic<bool>* stop) { return creep_curves(file, ranges, stop); }));
-}
-
-py::dict wheel_of(const WheelsetResult& r, WheelSide side) {
-  py::dict track;
-  with_errors(wheel_quantities(), [&](const std::string& name, const char*, auto value, const char*) {
-    track[name.c_str()] = value(r.state, side);
-  });
-  py::dict out;
-  out["track"] = track;
-  out["result"] = PythonResult{std::make_shared<const SceneResult>(r.state.solved(side)), {}};
-  return out;
+  return as_dict(
+      record_of(stoppable([=](const std::atomic<bool>* stop) { return creep_curves(file, ranges, stop); })));
 }
 
 py::dict wheelset(const py::object& scene, const py::object& changes, const py::object& model,
@@ -173,12 +115,11 @@ py::dict wheelset(const py::object& scene, const py::object& changes, const py::
   const SceneFile file = with_model(scene_file_of(scene, folder, changes_of(changes)), model_of(model));
   const WheelsetResult found =
       stoppable([file](const std::atomic<bool>* stop) { return solve_wheelset(file, stop); });
-  py::dict totals;
-  for (const WheelsetQuantity& q : wheelset_quantities())
-    totals[q.name] = q.value(found);
-  return py::dict("wheelset"_a = totals, "right"_a = wheel_of(found, WheelSide::right),
-                  "left"_a = wheel_of(found, WheelSide::left), "certified"_a = found.state.certified(),
-                  "warnings"_a = found.warnings, "seconds"_a = found.seconds);
+  py::dict out = as_dict(record_of(found, {.fields = false}));
+  for (const WheelSide side : both_sides)
+    out[py::str(std::string(name_of(side)))]["result"] =
+        PythonResult{std::make_shared<const SceneResult>(found.state.solved(side)), {}};
+  return out;
 }
 
 } // namespace

@@ -1,14 +1,21 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/provenance.hpp"
+#include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/python/functions.hpp"
+#include "bem_contact/python/record_object.hpp"
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/sequence_object.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
+#include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/report/report_page.hpp"
 #include "bem_contact/sequence/quantities.hpp"
+#include "bem_contact/sequence/result_file.hpp"
+#include "bem_contact/sequence/result_record.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/settings.hpp"
+#include "bem_contact/sequence/uncertified.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -41,7 +48,8 @@ std::unique_ptr<PythonSequence> sequence_of(const py::object& scene, const py::a
 
 PythonResult solved(const PythonSequence& sequence, const py::object& changes, const py::object& model,
                     const py::object& strict) {
-  PythonResult out{sequence.solve(changes_of(changes), model_of(model)), {}};
+  const PythonSequence::Solved found = sequence.solve(changes_of(changes), model_of(model));
+  PythonResult out{found.result, {}, found.given};
   if (py::bool_(strict))
     refuse_warnings(out.solved->warnings);
   return out;
@@ -73,29 +81,44 @@ std::optional<double> known(double value) {
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
-py::dict patch_of(const SceneResult& r, std::size_t index) {
-  py::dict out;
-  with_errors(patch_quantities(), [&](const std::string& name, const QuantityUnit&, auto value, const char*) {
-    out[name.c_str()] = known(value(r, index));
-  });
-  for (const char* count : {"contact", "adhesion", "slip"})
-    out[count] = py::int_(out[count]);
-  return out;
+/// Writes the file of `bem_contact solve -o`.
+void save(const PythonResult& r, const std::filesystem::path& file) {
+  if (!r.solved || !r.given)
+    throw InputError("This result cannot be saved",
+                     r.solved ? "it is one of several of an answer"
+                              : "one that was pickled holds only its properties",
+                     "Solve the scene of this case alone, and save that.");
+  GivenScene given = *r.given;
+  require_outputs(files_read(given.text.source, given.scene),
+                  {{.option = "file", .file = file, .form = OutputForm::whole_file, .required = true}});
+  given.inputs = inputs_of(given.scene);
+  record::write_hdf5(file, result_file(*r.solved, given, file));
 }
 
-std::vector<py::dict> patches_of(const SceneResult& r) {
-  std::vector<py::dict> out;
-  for (std::size_t i = 0; i < r.result.patches.size(); ++i)
-    out.push_back(patch_of(r, i));
-  return out;
+/// Writes the page of `bem_contact report`.
+void report_of(const PythonResult& r, const std::filesystem::path& page) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "result.h5";
+  save(r, file);
+  report::write_report(file, page);
 }
 
-/// Numbers of every step of a transient or of shifts, [steps] each.
-py::dict history_of(const SceneResult& r) {
-  py::dict out;
-  for (const StepQuantity& q : step_quantities())
-    out[q.name] = array_of(q.values(r));
-  return out;
+/// What stands at a path of the record, "patches/0/Fn". Raises KeyError.
+py::object at_path(const PythonResult& r, const std::string& path) {
+  if (!r.solved)
+    throw InputError("Paths need a result that was solved here",
+                     "one that was pickled holds only its properties",
+                     "Take the property of that name, or solve the scene again.");
+  for (const bool fields : {false, true}) { // most paths need none
+    const record::Record all = record_of(*r.solved, {.fields = fields});
+    if (const record::Content* content = record::find(all, path))
+      return as_object(*content);
+    if (const auto number = record::number_at(all, path))
+      return std::isnan(*number) ? py::object(py::none()) : py::object(py::float_(*number));
+    if (const auto values = record::values_at(all, path); !values.empty())
+      return array_of({values.begin(), values.end()});
+  }
+  throw py::key_error(path);
 }
 
 /// The unit of every number, array and entry of a patch.
@@ -103,7 +126,7 @@ py::dict units_of(const SceneResult& r) {
   py::dict out;
   const auto add = [&](const auto& table) {
     for (const auto& q : table)
-      out[q.name] = q.unit.of(r);
+      out[q.name] = q.unit.of(is_shift(r));
   };
   out["x"] = "mm";
   add(quantities());
@@ -114,50 +137,8 @@ py::dict units_of(const SceneResult& r) {
   return out;
 }
 
-py::object stresses_of(const SceneResult& r) {
-  using namespace py::literals;
-  if (!r.stresses)
-    return py::none();
-  const StressesBelow& b = *r.stresses;
-  const std::vector<std::size_t> shape{b.x.size(), b.s.size(), b.depths.size()};
-  py::array_t<double> tensor(std::vector<std::size_t>{shape[0], shape[1], shape[2], 6});
-  double* to = tensor.mutable_data();
-  for (const halfspace::Stress& t : b.stress)
-    for (const double component : {t.xx, t.ss, t.nn, t.xs, t.xn, t.sn})
-      *to++ = component;
-  const auto at_points = [&](const std::vector<double>& values) {
-    return py::array_t<double>(shape, values.data());
-  };
-  return py::dict("x"_a = array_of(b.x), "s"_a = array_of(b.s), "depths"_a = array_of(b.depths),
-                  "components"_a = std::array{"xx", "ss", "nn", "xs", "xn", "sn"}, "stress"_a = tensor,
-                  "von_mises"_a = at_points(b.von_mises), "largest_shear"_a = at_points(b.largest_shear));
-}
-
-py::object body_of(const std::optional<BodyMotion>& body) {
-  using namespace py::literals;
-  if (!body)
-    return py::none();
-  const auto matrix = [](const SixBySix& m) { return py::array_t<double>({6, 6}, m.front().data()); };
-  return py::dict("before"_a = std::array{body->before.y, body->before.z},
-                  "after"_a = std::array{body->after.y, body->after.z},
-                  "force"_a = array_of({body->force.begin(), body->force.end()}),
-                  "motion"_a = array_of({body->motion.begin(), body->motion.end()}),
-                  "compliance"_a = matrix(body->compliance),
-                  "stiffness"_a = body->stiffness ? py::object(matrix(*body->stiffness)) : py::none());
-}
-
-py::object structure_of(const SceneResult& r) {
-  using namespace py::literals;
-  if (!r.structure)
-    return py::none();
-  return py::dict("rail"_a = body_of(r.structure->rail), "wheel"_a = body_of(r.structure->wheel),
-                  "placed"_a = r.structure->placed, "aside"_a = r.structure->aside,
-                  "solutions"_a = r.structure->solutions, "last_change"_a = r.structure->change,
-                  "lowered"_a = r.structure->lowered);
-}
-
 /// "On the rail, N"
-std::string doc_of(const char* description, const QuantityUnit& unit, const char* shape = "") {
+std::string doc_of(const char* description, const Unit& unit, const char* shape = "") {
   std::string text = std::string(description) + ", " + unit.text() + shape;
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   return text;
@@ -165,31 +146,51 @@ std::string doc_of(const char* description, const QuantityUnit& unit, const char
 
 /// Every number of quantities(), and its error.
 void add_quantities(ResultClass& c) {
-  with_errors(quantities(), [&](const std::string& name, const QuantityUnit& unit, auto value,
-                                const char* description) {
+  with_errors(
+      quantities(), [&](const std::string& name, const Unit& unit, auto value, const char* description) {
+        c.def_property_readonly(
+            name, [value](const SceneResult& r) { return known(value(r)); }, doc_of(description, unit));
+      });
+}
+
+/// Names that numbers had before 0.2.
+void add_former_names(ResultClass& c) {
+  c.def_property_readonly(
+      "friction_power", [](const SceneResult& r) { return known(quantity("T_gamma").value(r)); },
+      "The same as T_gamma");
+  c.def_property_readonly(
+      "friction_power_error", [](const SceneResult& r) { return known(quantity("T_gamma").error(r)); },
+      "The same as T_gamma_error");
+  for (const auto& [former, name] :
+       {std::pair{"work_rate", "friction_work_density"}, {"element_power", "friction_work"}}) {
+    const ElementQuantity& q = named(element_quantities(), name);
     c.def_property_readonly(
-        name, [value](const SceneResult& r) { return known(value(r)); }, doc_of(description, unit));
-  });
+        former, [&q](const SceneResult& r) { return field(r, q); }, "The same as " + std::string(name));
+  }
 }
 
 void add_parts(ResultClass& c) {
   c.def_property_readonly(
-      "patches", patches_of,
+      "patches", [](const SceneResult& r) { return as_object(patches_of(r)); },
       "One dict for each connected area, the largest force first: its forces, moments "
       "about its centre, pmax, area, semi-axes, place on rail and wheel, creepages there, "
-      "friction power; `units` has their units");
-  c.def_property_readonly("history", history_of, "Numbers of every step: dict of arrays [steps]");
+      "T_gamma; `units` has their units");
+  c.def_property_readonly(
+      "history", [](const SceneResult& r) { return columns_of(history_of(r)); },
+      "Numbers of every step: dict of arrays [steps]");
   c.def_property_readonly("units", units_of, "{name: unit} of all numbers and arrays");
-  c.def_property_readonly("stresses", stresses_of,
-                          "Stresses below the surface, where the scene asks for them: dict of x, s, depths "
-                          "(mm), stress [x][s][depth][6] of `components`, von_mises and largest_shear "
-                          "[x][s][depth] (MPa, tension positive); else None");
+  c.def_property_readonly(
+      "stresses", [](const SceneResult& r) { return as_object(stresses_of(r.stresses)); },
+      "Stresses below the surface, where the scene asks for them: dict of x, s, depths "
+      "(mm), stress [x][s][depth][6] of `components`, von_mises and largest_shear "
+      "[x][s][depth] (MPa, tension positive); else None");
   c.def_readonly("approach_datum", &SceneResult::approach_datum,
                  "Of which points of the bodies the approach is the relative displacement");
-  c.def_property_readonly("structure", structure_of,
-                          "Structural motion, dict of rail, wheel (force, motion, 6 x 6 compliance and "
-                          "stiffness), placed, solutions, "
-                          "last_change, lowered; None where no body gives way");
+  c.def_property_readonly(
+      "structure", [](const SceneResult& r) { return as_object(structure_of(r.structure)); },
+      "Structural motion, dict of rail, wheel (force, motion, 6 x 6 compliance and "
+      "stiffness), placed, solutions, "
+      "last_change, lowered; None where no body gives way");
   c.def_property_readonly(
       "other_laterals",
       [](const SceneResult& r) { return r.found_lateral ? r.found_lateral->others : std::vector<double>(); },
@@ -205,12 +206,17 @@ void add_parts(ResultClass& c) {
 void add_fields(ResultClass& c) {
   for (const ElementQuantity& q : element_quantities())
     c.def_property_readonly(
-        q.name, [&q](const SceneResult& r) { return field(r, q); },
-        doc_of(q.description, q.unit, ", [ms][mx]"));
+        q.name, [&q](const SceneResult& r) { return field(r, q); }, doc_of(q.meaning, q.unit, ", [ms][mx]"));
   for (const RowQuantity& q : row_quantities())
     c.def_property_readonly(
-        q.name, [&q](const SceneResult& r) { return array_of(q.values(r)); },
-        doc_of(q.description, q.unit, ", [ms]"));
+        q.name,
+        [&q](const SceneResult& r) {
+          std::vector<double> values;
+          for (std::size_t row = 0; row < r.problem.rows.size(); ++row)
+            values.push_back(q.value(r, row));
+          return array_of(values);
+        },
+        doc_of(q.meaning, q.unit, ", [ms]"));
   c.def_property_readonly(
       "x", [](const SceneResult& r) { return array_of(r.problem.grid.columns()); },
       "Middle of the columns, rolling direction, mm, [mx]");
@@ -235,6 +241,10 @@ void add_trust(ResultClass& c) {
       },
       "False: smaller elements show another field, and no error can be told; None: not estimated");
   c.def_property_readonly("seconds", [](const SceneResult& r) { return r.seconds.total; });
+  c.def_property_readonly("why_not_certified", why_uncertified, "Why it is not certified; \"\" where it is");
+  c.def("__getitem__", at_path);
+  c.def("save", save);
+  c.def("report", report_of);
   c.def("__repr__", [](const py::object& r) {
     return py::str("<bem_contact.Result: {}, Fz {:.6g} N, {} patches, {}>")
         .format(r.attr("model"), r.attr("Fz"), py::len(r.attr("patches")),
@@ -259,6 +269,7 @@ PYBIND11_MODULE(_core, m) {
   add_exceptions(m);
   ResultClass result(m, "One scene solved with one model. Arrays are copies. Can be copied and pickled.");
   add_quantities(result);
+  add_former_names(result);
   add_parts(result);
   add_fields(result);
   add_trust(result);

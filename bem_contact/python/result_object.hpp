@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/sequence/scene_result.hpp"
 
 #include <pybind11/numpy.h>
@@ -17,7 +18,9 @@ namespace bem_contact {
 /// Python's Result. One that comes from a pickle has the values of the properties instead of the result.
 struct PythonResult {
   std::shared_ptr<const SceneResult> solved;
-  pybind11::dict kept;
+  pybind11::dict kept = {};
+  std::shared_ptr<const GivenScene> given =
+      nullptr; ///< what was solved; nothing: one of several of an answer
 };
 
 /// Declares the properties of Result as pybind11::class_ does. Each is part of a pickle from here on.
@@ -35,7 +38,7 @@ public:
           return values;
         },
         [](const pybind11::dict& values) {
-          return PythonResult{nullptr, values};
+          return PythonResult{nullptr, values, nullptr};
         }));
   }
 

@@ -6,20 +6,16 @@
 
 namespace bem_contact {
 
-namespace {
-
-using Result = std::shared_ptr<const SceneResult>;
-
-} // namespace
-
 PythonSequence::PythonSequence(SceneText scene, int threads)
     : shared_(std::make_shared<Shared>(Shared{std::move(scene), Sequence({.threads = threads})})) {}
 
-Result PythonSequence::solve(std::vector<SceneChange> changes, std::string model) const {
+PythonSequence::Solved PythonSequence::solve(std::vector<SceneChange> changes, std::string model) const {
   return stoppable([shared = shared_, changes = std::move(changes),
-                    model = std::move(model)](const std::atomic<bool>* stop) -> Result {
+                    model = std::move(model)](const std::atomic<bool>* stop) -> Solved {
     const SceneFile scene = with_model(parse_scene_file(shared->text, changes), model);
-    return std::make_shared<const SceneResult>(shared->sequence.solve(scene, stop));
+    auto result = std::make_shared<const SceneResult>(shared->sequence.solve(scene, stop));
+    return {std::move(result),
+            std::make_shared<const GivenScene>(GivenScene{shared->text, model, scene, {}})};
   });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <memory>
@@ -16,8 +17,13 @@ class PythonSequence {
 public:
   explicit PythonSequence(SceneText scene, int threads = 1);
 
+  /// A result, and the scene that was solved.
+  struct Solved {
+    std::shared_ptr<const SceneResult> result;
+    std::shared_ptr<const GivenScene> given;
+  };
   /// Throws InputError, ConvergenceError, and whatever a signal handler of Python raises.
-  std::shared_ptr<const SceneResult> solve(std::vector<SceneChange> changes, std::string model) const;
+  Solved solve(std::vector<SceneChange> changes, std::string model) const;
 
 private:
   struct Shared { ///< with a solution that outlives the call (Ctrl-C), and perhaps this object

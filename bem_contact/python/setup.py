@@ -39,8 +39,8 @@ class BuildWithCMake(build_py):
             installed = next(prefix.glob("lib/**/bem_contact/__init__.py")).parent
             for file in installed.glob("_core*.so"):
                 shutil.copy2(file, package)
-            # By the name under which it is loaded, libbem_contact_influence.so.MAJOR.MINOR.
-            library = min(prefix.glob("lib/**/libbem_contact_influence.so.*"), key=lambda file: len(file.name))
+            # By the name under which it is loaded, libbem_contact_h5.so.MAJOR.MINOR.
+            library = min(prefix.glob("lib/**/libbem_contact_h5.so.*"), key=lambda file: len(file.name))
             for name, file in (("lib", library),
                                ("bin", prefix / "bin" / "bem_contact")):
                 (package / name).mkdir(exist_ok=True)

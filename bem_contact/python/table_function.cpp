@@ -1,8 +1,10 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/provenance.hpp"
 #include "bem_contact/base/stopped.hpp"
 #include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
+#include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/uses/table/creep_table.hpp"
 #include "bem_contact/uses/table/scene_table.hpp"
@@ -79,13 +81,15 @@ void solve(table::ContactTable& t, const table::PointSolver& solver, const table
     return refined;
   });
   if (output)
-    write_h5(*output, table::to_h5(t));
+    table::write_table(
+        *output,
+        {{"format", record::Text{table_format}}, {"program", record::Text{provenance("bem_contact")}}}, t);
 }
 
-py::dict table_of(const py::object& scene, const py::object& axes, std::vector<std::string> hold,
-                  double tolerance, std::size_t most_points, std::pair<double, double> ratio, double poisson,
-                  int elements, const std::optional<std::filesystem::path>& output,
-                  const py::object& folder) {
+py::dict make_table(const py::object& scene, const py::object& axes, std::vector<std::string> hold,
+                    double tolerance, std::size_t most_points, std::pair<double, double> ratio,
+                    double poisson, int elements, const std::optional<std::filesystem::path>& output,
+                    const py::object& folder) {
   table::Wanted wanted{.tolerance = tolerance, .most_points = most_points};
   table::ContactTable t;
   if (scene.is_none()) {
@@ -168,7 +172,7 @@ void add_table(py::module_& module) {
       "read_table", [](const std::filesystem::path& file) { return PythonTable{table::read_table(file)}; },
       "file"_a, "Reads a table (HDF5) of table() or of the command `bem_contact table`: a Table.");
   module.def(
-      "table", table_of, "scene"_a = py::none(), "axes"_a = py::none(), py::kw_only(),
+      "table", make_table, "scene"_a = py::none(), "axes"_a = py::none(), py::kw_only(),
       "hold"_a = std::vector<std::string>{}, "tolerance"_a = table::Wanted{}.tolerance,
       "most_points"_a = table::Wanted{}.most_points,
       "ratio"_a = std::pair(table::CreepTableOptions{}.from, table::CreepTableOptions{}.to),

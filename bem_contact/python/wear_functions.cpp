@@ -1,6 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/python/functions.hpp"
+#include "bem_contact/python/record_object.hpp"
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
@@ -143,13 +144,8 @@ py::dict wear_under(const NoResult& scene, double depth, const py::object& model
         wear::history_row(static_cast<int>(rows.size()), state, study.scene().position.wheel_radius));
   py::dict out("rail"_a = points_of(states, &wear::WornPair::rail),
                "wheel"_a = points_of(states, &wear::WornPair::wheel));
-  for (const wear::WearColumn& column : wear::wear_columns())
-    out[column.name] = array_of(column.values(rows));
+  out.attr("update")(columns_of(record::table_of("step", wear::wear_columns(), rows)));
   return out;
-}
-
-py::dict peak(const fatigue::StressPeak& p) {
-  return py::dict("stress"_a = p.stress, "x"_a = p.x, "s"_a = p.s, "depth"_a = p.depth);
 }
 
 fatigue::FatigueProperties properties_of(double yield_shear, NumberList nodes, NumberList damage) {
@@ -162,19 +158,7 @@ py::dict fatigue_of(const PythonResult& result, double yield_shear, NumberList n
   fatigue::FatigueProperties properties = properties_of(yield_shear, std::move(nodes), std::move(damage));
   properties.stresses = stresses;
   const fatigue::Fatigue f = fatigue::fatigue_of(r, properties);
-  py::list patches;
-  for (const fatigue::PatchFatigue& p : f.patches) {
-    py::dict patch;
-    for (const auto& column : fatigue::patch_columns())
-      patch[column.name] = column.value(p);
-    patches.append(patch);
-  }
-  py::dict out("FI"_a = field(r, f.element_index), "patches"_a = patches);
-  if (f.peaks) {
-    out["von_mises"] = peak(f.peaks->von_mises);
-    out["tresca"] = peak(f.peaks->tresca);
-  }
-  return out;
+  return as_dict(record_of(f, r.problem.grid));
 }
 
 py::dict fatigue_under(const NoResult& scene, double yield_shear, NumberList nodes, NumberList damage,
@@ -185,12 +169,7 @@ py::dict fatigue_under(const NoResult& scene, double yield_shear, NumberList nod
       stoppable([=, sweep = collective_of(scene, folder)](const std::atomic<bool>* stop) {
         return fatigue::fatigue_of(sweep, properties, stop);
       });
-  py::dict patches;
-  for (const auto& column : fatigue::collective_columns())
-    patches[column.name] = array_of(column.values(found.patches));
-  return py::dict("cases"_a = found.cases, "beyond_surface_limit"_a = found.beyond_surface,
-                  "beyond_limit_below"_a = found.beyond_below, "damage"_a = found.damage,
-                  "patches"_a = patches);
+  return as_dict(record_of(found, properties));
 }
 
 } // namespace

@@ -16,8 +16,9 @@ const rows = data => {
 const contactOf = (name, coordinates, group) => ({
   name, group,
   x: coordinates.x.values, s: coordinates.s.values, y: coordinates.y?.values, z: coordinates.z?.values,
-  delta: coordinates.delta?.values, dx: coordinates.attributes.dx_mm, ds: coordinates.attributes.ds_mm,
-  friction: coordinates.attributes.friction, left: coordinates.attributes.frame.includes("y left"),
+  delta: coordinates.delta?.values, dx: valueOf(group.quantities, "dx") ?? valueOf(coordinates, "dx_mm"),
+  ds: valueOf(group.quantities, "ds") ?? valueOf(coordinates, "ds_mm"),
+  friction: valueOf(coordinates, "friction"), left: /y (to the )?left/.test(coordinates.attributes.frame),
   rail: coordinates.rail_profile && rows(coordinates.rail_profile),
   wheel: coordinates.wheel_profile && rows(coordinates.wheel_profile),
   state: rows(group.state), pn: rows(group.p_n), px: rows(group.p_x), ps: rows(group.p_s),

@@ -61,13 +61,11 @@ const addCreepForces = creep => {
 const addComparison = () => {
   const sets = Object.keys(SETS).filter(name => contactsOf(data[name]).length);
   const all = sets.flatMap(name => contactsOf(data[name]).map(contact => [`${SETS[name]}, ${SHORT[contact.name]}`, contact]));
-  const broken = all.filter(([, contact]) => contact.group.attributes.certificate_holds !== 1);
+  const broken = all.filter(([, contact]) => !certifiedOf(contact.group));
   const box = add("div", "", page, {className: broken.length ? "certificate broken" : "certificate"});
-  add("p", broken.length ? `DO NOT HOLD: the certificates of ${broken.map(([title]) => title).join("; ")}.`
-                         : "All certificates hold.", box);
-  addTable("Worst violations of a contact condition, relative", ["", "worst", "at most", "solvers"], all.map(([title, {group: {attributes: a}}]) =>
-    [title, a.certificate_worst.toExponential(1), a.certificate_tolerance.toExponential(0),
-     `${a.normal_solver}${a.tangential_solver ? ", " + a.tangential_solver : ""}`]), {parent: box, numbers: [1, 2]});
+  add("p", broken.length ? `NOT certified: ${broken.map(([title]) => title).join("; ")}.` : "All results are certified.", box);
+  addTable("Worst violations of a contact condition, relative", ["", "worst", "at most", "solvers"], all.map(([title, contact]) =>
+    [title, worstOf(contact), toleranceOf(contact), solversOf(contact)]), {parent: box, numbers: [1, 2]});
   for (const [title, contact] of all)
     for (const warning of warningsOf(contact))
       add("p", `Warning (${title}): ${warning}`, box);
@@ -124,7 +122,7 @@ const addCreepCurves = () => {
   matrix("sensitivities", "Sensitivities at the scene's creepages");
   add("h2", "Curves");
   for (const which of ["xi", "eta", "phi"])
-    if (data[which])
+    if (data.curves?.[which] ?? data[which])
       addFigure(`curve-${which}`, `Forces over the ${words(which)}; the other two creepages stay as in the scene. With little creepage a force ` +
                 "grows along the straight line of linear theory, if the other two are zero; with much of it the whole contact slips, and the force " +
                 "stays within the bound of friction.", creepFigure(data, which));
@@ -222,7 +220,7 @@ const start = async () => {
   document.title = `${report.file}: bem_contact report`;
   add("h1", `${{result: "Contact of wheel and rail", comparison: "Comparison of models", sweep: "Sweep", "creep curves":
                 "Creep curves", conicity: "Conicity", wheelset: "Wheelset", wear: "Wear", profile: "Profile"}[report.kind]}: ${report.file}`);
-  add(report.kind === "profile" ? "pre" : "p", report.kind === "profile" ? data.words : sceneInWords().join(" "), page, {id: "words"});
+  add(report.kind === "profile" ? "pre" : "p", report.kind === "profile" ? data.attributes.words : sceneInWords().join(" "), page, {id: "words"});
   ({result: addResult, comparison: addComparison, sweep: addSweep, "creep curves": addCreepCurves, conicity: addConicity, wheelset: addWheelset,
     wear: addWear, profile: addProfile})[report.kind]();
   addScene();

@@ -3,17 +3,16 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
-#include "bem_contact/influence/file_kinds.hpp"
-#include "bem_contact/influence/h5_table.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/record/json.hpp"
 #include "bem_contact/report/settings.hpp"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <ostream>
-#include <sstream>
 
 // embedded.S; each ends with a NUL.
 extern "C" {
@@ -25,77 +24,52 @@ namespace bem_contact::report {
 
 namespace {
 
-using nlohmann::json;
+using record::Record;
 
-std::string kind_of(const H5Table& table, const std::filesystem::path& file) {
-  const std::string format = text_attribute(table, "format");
-  for (const FileKind& kind : file_kinds)
-    if (*kind.page && format.starts_with(fmt::format("bem_contact {}", kind.page))) // of any version
-      return kind.page;
+std::string page_of(const Record& file, const std::filesystem::path& path) {
+  if (const FileKind* kind = kind_of(record::text_at(file, "format").value_or("")); kind && *kind->page)
+    return kind->page;
   throw InputError(
-      fmt::format("'{}' cannot be reported", file.string()),
+      fmt::format("'{}' cannot be reported", path.string()),
       "it is HDF5, but no result, comparison, sweep, creep curves, conicity, wheelset or wear",
       "Name a file that bem_contact solve, compare, sweep, creep-curves, conicity, wheelset or wear wrote; "
       "tools/plot draws tables of forces and of fatigue.");
 }
 
 /// What no figure draws.
-bool left_out(const std::string& name) {
+bool left_out(std::string_view path) {
+  if (!path.starts_with("data/"))
+    return false;
+  const std::string_view name = path.substr(5);
   constexpr std::array fields{
-      "u_x", "u_s", "u_n", "work_rate", "element_power", "deformed_distance", "largest_shear", "stress"};
-  const std::string last = name.substr(name.rfind('/') + 1);
-  return name.starts_with("cases/") || name.starts_with("inputs/") ||
-         name.find("structure/") != std::string::npos || std::ranges::find(fields, last) != fields.end();
-}
-
-/// The place of "fem/quantities/Fx" in the tree.
-json& place(json& tree, const std::string& path) {
-  json* at = &tree;
-  std::istringstream parts(path);
-  for (std::string part; std::getline(parts, part, '/');)
-    at = &(*at)[part];
-  return *at;
-}
-
-json tree_of(const H5Table& table) {
-  json tree = json::object();
-  for (const auto& [name, data] : table.datasets)
-    if (!left_out(name) && data.shape.size() <= 3)
-      place(tree, name) = {{"unit", data.unit},
-                           {"description", data.description},
-                           {"shape", data.shape},
-                           {"values", data.values}};
-  for (const auto& [name, text] : table.texts)
-    if (!left_out(name))
-      place(tree, name) = {{"text", text.text}, {"description", text.description}};
-  for (const auto& [name, value] : table.attributes) {
-    const std::size_t slash = name.rfind('/');
-    const std::string group = slash == std::string::npos ? "" : name.substr(0, slash + 1);
-    if (group.starts_with("cases/") && !name.ends_with("/reason"))
-      continue;
-    std::visit([&](const auto& v) { place(tree, group + "attributes/" + name.substr(group.size())) = v; },
-               value);
-  }
-  return tree;
+      "u_x",           "u_s",    "u_n",       "friction_work_density", "friction_work", "deformed_distance",
+      "largest_shear", "stress", "work_rate", "element_power"}; // the last two of files before 0.2
+  const std::string_view last = name.substr(name.rfind('/') + 1);
+  const bool of_case = name.starts_with("cases/") && name.find('/', 6) != name.npos;
+  return (of_case && last != "reason") || name == "inputs" || last == "structure" || last == "step_fields" ||
+         std::ranges::find(fields, last) != fields.end();
 }
 
 /// The profiles of steps spread evenly from the first to the last, where all of them lie beside the file.
-json worn_profiles(const std::filesystem::path& file, int last) {
-  json out = json::array();
+Record worn_profiles(const std::filesystem::path& file, int last) {
+  Record out;
+  int before = -1;
   for (int k = 0; k <= held_steps; ++k) {
     const int step = (last * k + held_steps / 2) / held_steps;
-    if (!out.empty() && out.back()["step"] == step)
+    if (step == std::exchange(before, step))
       continue;
-    json one = {{"step", step}};
+    Record one;
     for (const char* body : {"rail", "wheel"}) {
       const auto profile = file.parent_path() / fmt::format("{}_{:04}.txt", body, step);
       if (!file_exists(profile))
-        return json::array();
-      one[body] = json::array();
+        return {};
+      std::vector<double> points;
       for (const Point2& point : read_points(profile))
-        one[body].push_back({point.y, point.z});
+        points.insert(points.end(), {point.y, point.z});
+      const std::size_t count = points.size() / 2;
+      one.add(body, record::field(std::move(points), "mm", "profile: y, z", {count, 2}));
     }
-    out.push_back(std::move(one));
+    out.add(fmt::format("{}", step), std::move(one));
   }
   return out;
 }
@@ -103,21 +77,19 @@ json worn_profiles(const std::filesystem::path& file, int last) {
 /// What a page shows of a file that bem_contact wrote: a result, a comparison, a sweep, creep curves,
 /// conicity, a wheelset or wear.
 ///
-/// "kind" says which of these, "file" its name, and "data" holds what is in the file, as a tree: a group is
-/// an object, its attributes are in "attributes", a dataset is {unit, description, shape, values} (row-major;
-/// nan is null), a text {text, description}. Left out is what no figure draws: displacements, fields of
-/// single steps, stresses by point, fields of a sweep's cases. Of wear, "steps" has up to five profiles of
-/// each body
-/// ([y, z] of each point), which lie beside the file. Throws InputError for any other file.
-json report_data(const std::filesystem::path& file) {
-  H5Table table = read_h5_top(file, "patches"); // the fields of a sweep's cases may be large
-  const std::string kind = kind_of(table, file);
+/// "kind" says which of these, "file" its name, and "data" holds what is in the file (to_described_json()).
+/// Left out is what no figure draws: displacements, fields of single steps, stresses by point, fields of a
+/// sweep's cases. Of wear, "steps" has up to five profiles of each body ([y, z] of each point), which lie
+/// beside the file. Throws InputError for any other file.
+Record report_data(const std::filesystem::path& file) {
+  Record data = record::from_h5(read_h5_top(file, "patches")); // the fields of a sweep's cases may be large
+  const std::string kind = page_of(data, file);
   if (kind != "sweep")
-    table = read_h5(file);
-  json out = {{"kind", kind}, {"file", file.filename().string()}, {"data", tree_of(table)}};
+    data = record::read_hdf5(file);
+  Record out{{"kind", record::Text{kind}}, {"file", record::Text{file.filename().string()}}};
   if (kind == "wear")
-    out["steps"] = worn_profiles(file, static_cast<int>(dataset_of(table, "step", file).values.size()) - 1);
-  return out;
+    out.add("steps", worn_profiles(file, static_cast<int>(record::values_at(data, "step").size()) - 1));
+  return out.add("data", std::move(data));
 }
 
 void replace_all(std::string& text, const std::string& what, const std::string& by) {
@@ -126,12 +98,12 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
 }
 
 /// Throws InputError if this build has no plotting library.
-std::string report_page(const json& data) {
+std::string report_page(const Record& data) {
   if (*report_plotting_library == '\0')
     throw InputError("This build draws no reports",
                      "the Debian package python3-plotly was missing when it was built",
                      "Run tools/install_packages contact-only, configure again (cmake --fresh) and build.");
-  std::string text = data.dump(-1, ' ', false, json::error_handler_t::replace);
+  std::string text = record::to_described_json(data, left_out);
   replace_all(text, "</", "<\\/"); // no text of a scene ends the script that holds it
   replace_all(text, "<!--", "<\\u0021--");
   std::string page = report_page_html;
@@ -146,7 +118,7 @@ std::string report_page(const json& data) {
   return page;
 }
 
-void write_page(const json& data, const std::filesystem::path& output) {
+void write_page(const Record& data, const std::filesystem::path& output) {
   const std::string page = report_page(data);
   write_text(output, [&](std::ostream& out) { out << page; });
 }
@@ -155,10 +127,16 @@ void write_page(const json& data, const std::filesystem::path& output) {
 
 void write_profile_page(const std::string& name, const std::string& words,
                         const std::vector<DrawnProfile>& profiles, const std::filesystem::path& output) {
-  json drawn = json::array();
+  Record drawn;
   for (const DrawnProfile& p : profiles)
-    drawn.push_back({{"name", p.name}, {"y", p.y}, {"z", p.z}, {"curvature", p.curvature}});
-  write_page({{"kind", "profile"}, {"file", name}, {"data", {{"words", words}, {"profiles", drawn}}}},
+    drawn.add(fmt::format("{}", drawn.entries().size()),
+              Record{{"name", record::Text{p.name}},
+                     {"y", record::field(p.y, "mm", "across the track")},
+                     {"z", record::field(p.z, "mm", "down")},
+                     {"curvature", record::field(p.curvature, "1/mm", "of the profile")}});
+  write_page({{"kind", record::Text{"profile"}},
+              {"file", record::Text{name}},
+              {"data", Record{{"words", record::Text{words}}, {"profiles", std::move(drawn)}}}},
              output);
 }
 

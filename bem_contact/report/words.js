@@ -1,6 +1,9 @@
 // Words and tables of the page. They need no library.
-const page = document.getElementById("page"), report = JSON.parse(document.getElementById("data").textContent);
-const data = report.data;
+const page = document.getElementById("page"), whole = JSON.parse(document.getElementById("data").textContent);
+const {kind, file} = whole.attributes, data = whole.data;
+const report = {kind, file, steps: Object.entries(whole.steps ?? {}).map(([step, {rail, wheel}]) => ({step: Number(step), rail: rows(rail), wheel: rows(wheel)}))};
+if (data.profiles)
+  data.profiles = Object.values(data.profiles).map(p => ({name: p.attributes.name, y: p.y.values, z: p.z.values, curvature: p.curvature.values}));
 const figures = []; // [element, figure]: drawn once the library is there
 
 const failed = error => {
@@ -74,13 +77,25 @@ const addTable = (caption, head, lines, {parent = page, numbers, id = "", wide =
 const TITLES = {fem: "Finite-element influence functions", tangent_plane: "Tangent planes", halfspace: "Half-space",
                 hertz: "Hertz", right: "Right wheel", left: "Left wheel"}; // in that order; of wheelsets the last two
 const SHORT = {fem: "FEM", tangent_plane: "tangent plane", halfspace: "half-space", hertz: "Hertz"};
-const SETS = {equal_forces: "At equal forces", equal_position: "At equal position and vertical force"};
-const MAIN = ["Fx", "Fy", "Fz", "Fs", "Mz", "lateral", "approach", "pmax", "area", "adhesion_share", "friction_power",
+const SETS = {at_equal_forces: "At equal forces", at_equal_position: "At equal position and vertical force"};
+for (const set of Object.keys(SETS)) // files before 0.2
+  data[set] ??= data[set.slice(3)];
+const MAIN = ["Fx", "Fy", "Fz", "Fs", "Mz", "lateral", "approach", "pmax", "area", "adhesion_share", "T_gamma", "friction_power",
               "Tmax_rail", "Tmax_wheel", "xi", "eta", "phi", "free_rolling_xi", "free_rolling_radius", "patch_count"];
 const PATCH = ["Fn", "Fx", "Fs", "Mn", "pmax", "area", "y", "z", "s", "delta", "semi_axis_a", "semi_axis_b", "xi", "eta", "phi"];
 
-const contactsOf = group => Object.keys(TITLES).filter(name => group?.[name]?.p_n)
-    .map(name => contactOf(name, group[name].x ? group[name] : group, group[name]));
+/// The contacts of a group: itself, or one of each model or wheel. Files before 0.2 have fields in a group named as
+/// the model, and coordinates outside.
+const contactsOf = group => {
+  if (group?.p_n)
+    return [contactOf(group.attributes.model, group, group)];
+  const inside = name => group?.[name]?.result ?? group?.[name];
+  return Object.keys(TITLES).filter(name => inside(name)?.p_n)
+    .map(name => contactOf(name, inside(name).x ? inside(name) : group, inside(name)));
+};
+/// A number of a group; undefined where it has none. Several names: the later ones of older files.
+const valueOf = (group, ...names) => group?.[names.find(name => group?.[name]?.values)]?.values[0];
+const certifiedOf = group => (group.attributes.certified ?? valueOf(group, "certificate_holds")) === 1;
 
 /// A value of the scene with all defaults; "" if it has none.
 const sceneValue = key => {
@@ -94,9 +109,10 @@ const sceneValue = key => {
 const bothWheels = profile => `Both wheels of a wheelset ${profile("wheel")}, on rails ${profile("rail")}.`;
 
 const wheelsetInWords = profile => {
-  const a = data.attributes, file = name => name?.split("/").pop(), words = [], of = name => number(data.wheelset[name]?.values[0]);
+  const a = data.attributes, name = path => path?.split("/").pop(), words = [], of = name => number(data.wheelset[name]?.values[0]);
   if (report.kind === "conicity") {
-    const side = which => `${file(a[`${which}_wheel`])} on ${file(a[`${which}_rail`])}`;
+    const body = (which, name) => data[which]?.attributes[name] ?? a[`${which}_${name}`];
+    const side = which => `${name(body(which, "wheel"))} on ${name(body(which, "rail"))}`;
     words.push(side("right") === side("left") ? `A rigid wheelset with wheels ${side("right")}.`
                : `A rigid wheelset: the right wheel is ${side("right")}, the left one ${side("left")}.`,
                "It is moved sideways on its track. The rolling radius difference says how it steers itself, and the equivalent " +
@@ -114,7 +130,7 @@ const sceneInWords = () => {
       : data.inputs?.[`${body}.profile`] && `with the profile ${data.inputs[`${body}.profile`].attributes.name.split("/").pop()}`;
   if (report.kind === "conicity" || report.kind === "wheelset")
     return wheelsetInWords(profile);
-  const out = [], contact = contactsOf(data)[0] ?? contactsOf(data.equal_forces)[0] ?? contactsOf(data.equal_position)[0];
+  const out = [], contact = contactsOf(data)[0] ?? contactsOf(data.at_equal_forces)[0] ?? contactsOf(data.at_equal_position)[0];
   const quantities = contact?.group.quantities ?? {}, q = name => number(quantities[name]?.values[0]);
   if ("right_share" in data)
     out.push(bothWheels(profile));
@@ -131,16 +147,16 @@ const sceneInWords = () => {
         ` The creepages are xi ${q("xi")}, eta ${q("eta")} and phi ${q("phi")} ${quantities.phi?.unit ?? ""}.`)
       : "There is no friction.");
     for (const {name, group} of report.kind === "result" ? [contact] : [])
-      out.push(`The model is ${name} (${TITLES[name].toLowerCase()}): ${group.attributes.reason}. The grid has ${q("mx")} × ` +
+      out.push(`The model is ${name} (${TITLES[name].toLowerCase()}): ${group.attributes.why_this_model ?? group.attributes.reason}. The grid has ${q("mx")} × ` +
                `${q("ms")} elements of ${q("dx")} × ${q("ds")} mm.`);
   }
   if (swept.length)
-    out.push(`${data.attributes.cases} cases: ${swept.join(", ")} ${swept.length > 1 ? "vary" : "varies"}. ` +
-             `${data.attributes.certified} are certified, ${data.attributes.not_certified} are not, ` +
-             `${data.attributes.refused} were refused, ${data.attributes.died} died, ${data.attributes.missing} are missing.`);
+    out.push(`${data.status.values.length} cases: ${swept.join(", ")} ${swept.length > 1 ? "vary" : "varies"}. ` +
+             ["certified", "not_certified", "refused", "died", "missing"].map((name, k) =>
+               `${valueOf(data, `${name}_count`, name)} ${["are certified", "are not", "were refused", "died", "are missing"][k]}`).join(", ") + ".");
   if (report.kind === "creep curves")
     out.push(`The scene ${data.attributes.scene.split("/").pop()}, model ${data.attributes.model}: vertical force ` +
-             `${number(data.attributes.Fz_N)} N, friction bound μ Fn = ${number(data.attributes.bound_N)} N.`);
+             `${number(valueOf(data, "Fz", "Fz_N"))} N, friction bound μ Fn = ${number(valueOf(data, "bound", "bound_N"))} N.`);
   if (report.kind === "wear")
     out.push(`${data.step.values.length - 1} steps, ${number(data.mileage.values.at(-1))} km: the rail has lost ` +
              `${number(data.rail_area.values.at(-1))} mm² of its section, the wheel ${number(data.wheel_area.values.at(-1))} mm².`);
@@ -149,13 +165,17 @@ const sceneInWords = () => {
 
 const warningsOf = contact => (contact.group.warnings?.text ?? "").split("\n").filter(Boolean);
 
+const worstOf = ({group}) => (valueOf(group.quantities, "certificate") ?? valueOf(group, "certificate_worst")).toExponential(1);
+const toleranceOf = ({group}) => (valueOf(group.certificate, "tolerance") ?? valueOf(group, "certificate_tolerance")).toExponential(0);
+const solversOf = ({group: {solver, attributes: a}}) =>
+    [solver?.attributes.normal ?? a.normal_solver, solver?.attributes.tangential ?? a.tangential_solver].filter(Boolean).join(", ");
+
 const addCertificate = contact => {
-  const a = contact.group.attributes, holds = a.certificate_holds === 1;
-  const box = add("div", "", page, {className: holds ? "certificate" : "certificate broken"});
-  add("p", `The certificate ${holds ? "holds" : "DOES NOT HOLD"}: the worst violation of a contact condition is ` +
-      `${a.certificate_worst.toExponential(1)} (relative; at most ${a.certificate_tolerance.toExponential(0)}). It was computed by ` +
-      `code that shares nothing with the solvers (${a.normal_solver}${a.tangential_solver ? ", " + a.tangential_solver : ""}).` +
-      (a.remark ? ` ${a.remark}.` : ""), box);
+  const {attributes: a} = contact.group, certified = certifiedOf(contact.group), note = a.solver_note ?? a.remark;
+  const box = add("div", "", page, {className: certified ? "certificate" : "certificate broken"});
+  add("p", certified ? `Certified: the worst violation of a contact condition is ${worstOf(contact)} (relative; at most ${toleranceOf(contact)}). ` +
+      `It was computed by code that shares nothing with the solvers (${solversOf(contact)}).` + (note ? ` ${note}.` : "")
+      : `NOT certified: ${a.why_not_certified ?? `the worst violation of a contact condition is ${worstOf(contact)}, ${toleranceOf(contact)} is allowed`}.`, box);
   for (const warning of warningsOf(contact))
     add("p", `Warning: ${warning}`, box);
 };
@@ -180,7 +200,7 @@ const addQuantities = (contacts, caption, id) => {
 
 const addPatches = contact => {
   const p = contact.group.patches;
-  if (!p)
+  if (!p?.Fn)
     return;
   const count = p.Fn.values.length;
   addTable("Patches, the largest force first", ["", ...Array.from({length: count}, (_, k) => `patch ${k + 1}`), "unit", ""],

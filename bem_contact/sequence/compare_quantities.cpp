@@ -13,7 +13,7 @@ namespace {
 double scale_of(const Quantity& quantity, double value, const SceneResult& r) {
   const ContactResult& c = r.result;
   const double force = std::max({std::abs(c.Fx), std::abs(c.Fy), std::abs(c.Fz)});
-  switch (quantity.kind) {
+  switch (quantity.unit.kind) {
   case QuantityKind::force:
     return force;
   case QuantityKind::moment:
@@ -33,6 +33,7 @@ double scale_of(const Quantity& quantity, double value, const SceneResult& r) {
     return 1;
   case QuantityKind::count:
   case QuantityKind::effort:
+  case QuantityKind::other:
     break;
   }
   return 0;
@@ -45,7 +46,7 @@ std::vector<QuantityDifference> differing_quantities(const std::map<std::string,
   std::vector<QuantityDifference> out;
   for (const Quantity& quantity : quantities()) {
     const auto found = before.find(quantity.name);
-    if (found == before.end() || quantity.kind == QuantityKind::effort)
+    if (found == before.end() || quantity.unit.kind == QuantityKind::effort)
       continue;
     const double value = quantity.value(now), was = found->second;
     const double allowed = now.result.certificate.tolerance * scale_of(quantity, value, now);

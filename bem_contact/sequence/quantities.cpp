@@ -11,10 +11,15 @@ namespace {
 using Kind = QuantityKind;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-constexpr QuantityUnit mm{"mm"}, newton{"N"}, moment_unit{"N mm"}, pascal{"MPa"}, square{"mm2"},
-    radian{"rad"}, number{"1"}, celsius{"degC"};
-constexpr QuantityUnit creepage_unit{"1", "mm"}, spin_unit{"1/mm", "rad"};
-constexpr QuantityUnit power_unit{"N mm per mm rolled", "N mm"}, work_unit{"MPa", "N/mm"};
+constexpr Unit mm{"mm", nullptr, Kind::length}, newton{"N", nullptr, Kind::force},
+    moment_unit{"N mm", nullptr, Kind::moment}, megapascal{"MPa", nullptr, Kind::pressure},
+    square{"mm2", nullptr, Kind::area}, radian{"rad", nullptr, Kind::angle},
+    celsius{"degC", nullptr, Kind::temperature}, share_unit{"1", nullptr, Kind::share},
+    number{"1", nullptr, Kind::count}, effort{"1", nullptr, Kind::effort};
+constexpr Unit creepage_unit{"1", "mm", Kind::creepage}, spin_unit{"1/mm", "rad", Kind::creepage};
+constexpr Unit creepage_alone{"1", nullptr, Kind::creepage};
+/// Work per rolled length is a force (T-gamma).
+constexpr Unit work_unit{"N", "N mm", Kind::power}, work_density_unit{"MPa", "N/mm"};
 
 /// A member of the contact's result.
 template <auto member> double of_result(const SceneResult& r) {
@@ -58,10 +63,18 @@ void copy_stored(const std::vector<double>& field, std::span<double> to) {
 template <auto member> void copy_result(const SceneResult& r, std::span<double> to) {
   copy_stored(r.result.*member, to);
 }
+template <auto member> std::span<const double> stored_result(const SceneResult& r) {
+  return r.result.*member;
+}
+/// A field that the result keeps.
+template <auto member>
+constexpr ElementQuantity kept_field(const char* name, const Unit& unit, const char* meaning) {
+  return {name, unit, meaning, copy_result<member>, nullptr, stored_result<member>};
+}
 template <auto member> void copy_displacement(const SceneResult& r, std::span<double> to) {
   copy_stored(r.result.displacements.*member, to);
 }
-void copy_work_rate(const SceneResult& r, std::span<double> to) {
+void copy_work_density(const SceneResult& r, std::span<double> to) {
   copy_stored(friction_power(r.result), to);
 }
 
@@ -78,85 +91,81 @@ template <auto surface> double highest_temperature(const SceneResult& r) {
 }
 
 constexpr Quantity known_quantities[] = {
-    {"Fx", newton, Kind::force, "on the rail", of_result<&ContactResult::Fx>, total<&TotalErrors::Fx>},
-    {"Fy", newton, Kind::force, "on the rail, to the right (left wheel: to the left)",
-     of_result<&ContactResult::Fy>, total<&TotalErrors::Fy>},
-    {"Fz", newton, Kind::force, "on the rail, down", of_result<&ContactResult::Fz>, total<&TotalErrors::Fz>},
-    {"Fs", newton, Kind::force, "shear force along the tangent at the reference point",
-     of_result<&ContactResult::Fs>, total<&TotalErrors::Fs>},
-    {"Mz", moment_unit, Kind::moment, "on the rail, about the vertical axis through the reference point",
+    {"Fx", newton, "on the rail", of_result<&ContactResult::Fx>, total<&TotalErrors::Fx>},
+    {"Fy", newton, "on the rail, to the right (left wheel: to the left)", of_result<&ContactResult::Fy>,
+     total<&TotalErrors::Fy>},
+    {"Fz", newton, "on the rail, down", of_result<&ContactResult::Fz>, total<&TotalErrors::Fz>},
+    {"Fs", newton, "shear force along the tangent at the reference point", of_result<&ContactResult::Fs>,
+     total<&TotalErrors::Fs>},
+    {"Mz", moment_unit, "on the rail, about the vertical axis through the reference point",
      [](const SceneResult& r) { return r.moment; }, moment_error},
-    {"lateral", mm, Kind::length, "lateral displacement of the wheelset, given or found for load.force_y",
+    {"lateral", mm, "lateral displacement of the wheelset, given or found for load.force_y",
      [](const SceneResult& r) { return r.lateral.value_or(none); },
      [](const SceneResult& r) { return r.found_lateral ? r.found_lateral->error : none; }},
-    {"approach", mm, Kind::length, "along z", of_result<&ContactResult::approach>,
-     total<&TotalErrors::approach>},
-    {"pmax", pascal, Kind::pressure, "largest pressure",
-     [](const SceneResult& r) { return largest_pressure(r.result); }, total<&TotalErrors::pmax>},
-    {"area", square, Kind::area, "in contact", [](const SceneResult& r) { return contact_area(r.result); },
+    {"approach", mm, "along z", of_result<&ContactResult::approach>, total<&TotalErrors::approach>},
+    {"pmax", megapascal, "largest pressure", [](const SceneResult& r) { return largest_pressure(r.result); },
+     total<&TotalErrors::pmax>},
+    {"area", square, "in contact", [](const SceneResult& r) { return contact_area(r.result); },
      total<&TotalErrors::area>},
-    {"adhesion_share", number, Kind::share, "of the area in contact that adheres",
+    {"adhesion_share", share_unit, "of the area in contact that adheres",
      [](const SceneResult& r) { return adhesion_share(r.result); }, total<&TotalErrors::adhesion_share>},
-    {"friction_power", power_unit, Kind::power, "dissipated by friction",
+    {"T_gamma", work_unit, "work of friction per unit of rolled distance (shift: in the step)",
      [](const SceneResult& r) { return friction_power(r.result, r.problem.element_area()); },
      total<&TotalErrors::friction_power>},
-    {"Tmax_rail", celsius, Kind::temperature, "highest temperature of the rail's surface; nan: not asked for",
+    {"Tmax_rail", celsius, "highest temperature of the rail's surface; nan: not asked for",
      highest_temperature<&SurfaceTemperatures::rail>, total<&TotalErrors::highest_rail_temperature>},
-    {"Tmax_wheel", celsius, Kind::temperature,
-     "highest temperature of the wheel's surface; nan: not asked for",
+    {"Tmax_wheel", celsius, "highest temperature of the wheel's surface; nan: not asked for",
      highest_temperature<&SurfaceTemperatures::wheel>, total<&TotalErrors::highest_wheel_temperature>},
-    {"xi", creepage_unit, Kind::creepage, "longitudinal creepage, with what was found for load.force_x",
+    {"xi", creepage_unit, "longitudinal creepage, with what was found for load.force_x",
      [](const SceneResult& r) { return r.xi; }, total<&TotalErrors::creepage_x>},
-    {"eta", creepage_unit, Kind::creepage, "lateral creepage, with what was found for load.force_s",
+    {"eta", creepage_unit, "lateral creepage, with what was found for load.force_s",
      [](const SceneResult& r) { return r.eta; }, total<&TotalErrors::creepage_s>},
-    {"phi", spin_unit, Kind::creepage, "spin, without that of the geometry (patches have all of it)",
+    {"phi", spin_unit, "spin, without that of the geometry (patches have all of it)",
      [](const SceneResult& r) { return r.phi; }},
-    {"creepage_x", creepage_unit, Kind::creepage, "longitudinal creepage found for load.force_x",
+    {"creepage_x", creepage_unit, "longitudinal creepage found for load.force_x",
      of_result<&ContactResult::creepage_x>, total<&TotalErrors::creepage_x>},
-    {"creepage_s", creepage_unit, Kind::creepage, "lateral creepage found for load.force_s",
+    {"creepage_s", creepage_unit, "lateral creepage found for load.force_s",
      of_result<&ContactResult::creepage_s>, total<&TotalErrors::creepage_s>},
-    {"free_rolling_xi", number, Kind::creepage, "longitudinal creepage at which Fx is 0; nan: not looked for",
+    {"free_rolling_xi", creepage_alone, "longitudinal creepage at which Fx is 0; nan: not looked for",
      [](const SceneResult& r) { return r.free_rolling ? r.free_rolling->xi : none; },
      [](const SceneResult& r) { return r.free_rolling ? r.free_rolling->xi_error : none; }},
-    {"free_rolling_radius", mm, Kind::length, "rolling radius at which Fx is 0; nan: not looked for",
+    {"free_rolling_radius", mm, "rolling radius at which Fx is 0; nan: not looked for",
      [](const SceneResult& r) { return r.free_rolling ? r.free_rolling->rolling_radius : none; },
      [](const SceneResult& r) { return r.free_rolling ? r.free_rolling->radius_error() : none; }},
-    {"patch_count", number, Kind::count, "connected areas in contact",
+    {"patch_count", number, "connected areas in contact",
      [](const SceneResult& r) { return double(r.result.patches.size()); }},
-    {"Fn_2", newton, Kind::force, "normal force of the second largest patch; 0: there is none",
+    {"Fn_2", newton, "normal force of the second largest patch; 0: there is none",
      [](const SceneResult& r) { return r.result.patches.size() > 1 ? r.result.patches[1].fn : 0.0; },
      [](const SceneResult& r) { return r.result.patches.size() > 1 ? errors_of(r, 1).fn : none; }},
-    {"contact", number, Kind::count, "elements in contact", elements<&ElementCounts::contact>},
-    {"adhesion", number, Kind::count, "elements in adhesion", elements<&ElementCounts::adhesion>},
-    {"slip", number, Kind::count, "elements in slip", elements<&ElementCounts::slip>},
-    {"mx", number, Kind::count, "columns of the grid",
-     [](const SceneResult& r) { return double(r.problem.grid.mx); }},
-    {"ms", number, Kind::count, "rows of the grid",
-     [](const SceneResult& r) { return double(r.problem.grid.ms); }},
-    {"dx", mm, Kind::length, "length of an element", [](const SceneResult& r) { return r.problem.grid.dx; }},
-    {"ds", mm, Kind::length, "width of an element", [](const SceneResult& r) { return r.problem.grid.ds; }},
-    {"reference_s", mm, Kind::length, "reference point: arc length on the rail",
+    {"contact", number, "elements in contact", elements<&ElementCounts::contact>},
+    {"adhesion", number, "elements in adhesion", elements<&ElementCounts::adhesion>},
+    {"slip", number, "elements in slip", elements<&ElementCounts::slip>},
+    {"mx", number, "columns of the grid", [](const SceneResult& r) { return double(r.problem.grid.mx); }},
+    {"ms", number, "rows of the grid", [](const SceneResult& r) { return double(r.problem.grid.ms); }},
+    {"dx", mm, "length of an element", [](const SceneResult& r) { return r.problem.grid.dx; }},
+    {"ds", mm, "width of an element", [](const SceneResult& r) { return r.problem.grid.ds; }},
+    {"reference_s", mm, "reference point: arc length on the rail",
      [](const SceneResult& r) { return r.reference.s; }},
-    {"reference_y", mm, Kind::length, "reference point, track frame",
+    {"reference_y", mm, "reference point, track frame",
      [](const SceneResult& r) { return r.reference.position.y; }},
-    {"reference_z", mm, Kind::length, "reference point, track frame, down",
+    {"reference_z", mm, "reference point, track frame, down",
      [](const SceneResult& r) { return r.reference.position.z; }},
-    {"reference_delta", radian, Kind::angle, "inclination at the reference point",
+    {"reference_delta", radian, "inclination at the reference point",
      [](const SceneResult& r) { return r.reference.delta; }},
-    {"certificate", number, Kind::effort, "worst violation of the contact conditions, relative",
+    {"certificate", effort, "worst violation of the contact conditions, relative",
      [](const SceneResult& r) { return r.result.certificate.worst(); }},
-    {"discretisation", number, Kind::effort, "estimated discretisation error, relative; nan: not estimated",
+    {"discretisation", effort, "estimated discretisation error, relative; nan: not estimated",
      [](const SceneResult& r) {
        const double error = r.result.certificate.discretisation;
        return error < 0 ? none : error;
      }},
-    {"outer_iterations", number, Kind::effort, "between the normal and the tangential problem",
+    {"outer_iterations", effort, "between the normal and the tangential problem",
      [](const SceneResult& r) { return double(r.result.outer_iterations); }},
-    {"normal_iterations", number, Kind::effort, "changes of the active set",
+    {"normal_iterations", effort, "changes of the active set",
      [](const SceneResult& r) { return double(r.result.normal_iterations); }},
-    {"tangential_iterations", number, Kind::effort, "steps of the tangential solver",
+    {"tangential_iterations", effort, "steps of the tangential solver",
      [](const SceneResult& r) { return double(r.result.tangential_iterations); }},
-    {"warning_count", number, Kind::effort, "how many warnings there are",
+    {"warning_count", effort, "how many warnings there are",
      [](const SceneResult& r) { return double(r.warnings.size()); }},
 };
 
@@ -172,9 +181,9 @@ constexpr PatchQuantity all_of_patches[] = {
     {"Ms", moment_unit, "on the rail, about s at the patch's centre", of_patch<&PatchSummary::moment_s>},
     {"Mn", moment_unit, "on the rail, about n at the patch's centre", of_patch<&PatchSummary::moment_n>,
      patch_error<&PatchErrors::moment_n>},
-    {"approach", mm, "largest overlap of the undeformed bodies, along n", of_patch<&PatchSummary::approach>,
+    {"overlap", mm, "largest overlap of the undeformed bodies, along n", of_patch<&PatchSummary::approach>,
      patch_error<&PatchErrors::approach>},
-    {"pmax", pascal, "largest pressure", of_patch<&PatchSummary::pmax>, patch_error<&PatchErrors::pmax>},
+    {"pmax", megapascal, "largest pressure", of_patch<&PatchSummary::pmax>, patch_error<&PatchErrors::pmax>},
     {"area", square, "in contact", of_patch<&PatchSummary::area>, patch_error<&PatchErrors::area>},
     {"semi_axis_a", mm,
      "ellipse whose Hertzian pressure has the second moments of this one: semi-axis nearest to x",
@@ -202,8 +211,8 @@ constexpr PatchQuantity all_of_patches[] = {
     {"eta", creepage_unit, "rigid slip along s at the patch's centre", of_place<&PatchPlace::eta>},
     {"phi", spin_unit, "rotation of the rigid slip about n there, with that of the geometry",
      of_place<&PatchPlace::phi>},
-    {"friction_power", power_unit, "dissipated by friction", of_patch<&PatchSummary::friction_power>,
-     patch_error<&PatchErrors::friction_power>},
+    {"T_gamma", work_unit, "work of friction per unit of rolled distance (shift: in the step)",
+     of_patch<&PatchSummary::friction_power>, patch_error<&PatchErrors::friction_power>},
     {"contact", number, "elements in contact", of_patch<&PatchSummary::contact>},
     {"adhesion", number, "elements in adhesion", of_patch<&PatchSummary::adhesion>},
     {"slip", number, "elements in slip", of_patch<&PatchSummary::slip>},
@@ -213,7 +222,7 @@ constexpr PatchQuantity all_of_patches[] = {
 constexpr StepQuantity of_each_step(std::string_view name,
                                     double (*value)(const SceneResult&, const ContactResult&)) {
   const Quantity& q = named(known_quantities, name);
-  return {q.name, q.unit, q.description, value};
+  return {q.name, q.unit, q.meaning, value};
 }
 
 constexpr StepQuantity all_of_steps[] = {
@@ -227,7 +236,7 @@ constexpr StepQuantity all_of_steps[] = {
     of_each_step("pmax",
                  [](const SceneResult&, const ContactResult& step) { return largest_pressure(step); }),
     of_each_step("area", [](const SceneResult&, const ContactResult& step) { return contact_area(step); }),
-    of_each_step("friction_power",
+    of_each_step("T_gamma",
                  [](const SceneResult& r, const ContactResult& step) {
                    return friction_power(step, r.problem.element_area());
                  }),
@@ -235,7 +244,7 @@ constexpr StepQuantity all_of_steps[] = {
     of_each_step("creepage_s", of_step<&ContactResult::creepage_s>),
     of_each_step("certificate",
                  [](const SceneResult&, const ContactResult& step) { return step.certificate.worst(); }),
-    {"converged", number, "1: the certificate holds", of_step<&ContactResult::converged>},
+    {"certified", effort, "1: the step is a solution", of_step<&ContactResult::converged>},
 };
 
 constexpr RowQuantity all_of_rows[] = {
@@ -252,24 +261,24 @@ constexpr RowQuantity all_of_rows[] = {
 };
 
 constexpr ElementQuantity all_of_elements[] = {
-    {"p_x", pascal, "traction on the rail along x", copy_result<&ContactResult::px>},
-    {"p_s", pascal, "traction on the rail along s", copy_result<&ContactResult::ps>},
-    {"p_n", pascal, "pressure", copy_result<&ContactResult::pn>},
-    {"slip_x", creepage_unit, "slip along x, per unit of rolled distance (shift: in the step)",
-     copy_result<&ContactResult::slip_x>},
-    {"slip_s", creepage_unit, "slip along s, per unit of rolled distance (shift: in the step)",
-     copy_result<&ContactResult::slip_s>},
+    kept_field<&ContactResult::px>("p_x", megapascal, "traction on the rail along x"),
+    kept_field<&ContactResult::ps>("p_s", megapascal, "traction on the rail along s"),
+    kept_field<&ContactResult::pn>("p_n", megapascal, "pressure"),
+    kept_field<&ContactResult::slip_x>("slip_x", creepage_unit,
+                                       "slip along x, per unit of rolled distance (shift: in the step)"),
+    kept_field<&ContactResult::slip_s>("slip_s", creepage_unit,
+                                       "slip along s, per unit of rolled distance (shift: in the step)"),
     {"u_x", mm, "displacement of the wheel less that of the rail, along x",
      copy_displacement<&Displacements::ux>},
     {"u_s", mm, "displacement of the wheel less that of the rail, along s",
      copy_displacement<&Displacements::us>},
     {"u_n", mm, "displacement of the wheel less that of the rail, along n",
      copy_displacement<&Displacements::un>},
-    {"work_rate", work_unit, "dissipated by friction per area and unit of rolled distance (shift: per area)",
-     copy_work_rate},
-    {"element_power", power_unit, "dissipated by friction by the whole element; the sum is friction_power",
+    {"friction_work_density", work_density_unit,
+     "work of friction per area and unit of rolled distance (shift: per area)", copy_work_density},
+    {"friction_work", work_unit, "work of friction of the whole element; the sum is T_gamma",
      [](const SceneResult& r, std::span<double> to) {
-       copy_work_rate(r, to);
+       copy_work_density(r, to);
        for (double& value : to)
          value *= r.problem.element_area();
      }},
@@ -277,8 +286,8 @@ constexpr ElementQuantity all_of_elements[] = {
      copy_temperature<&SurfaceTemperatures::rail>, has_temperatures},
     {"T_wheel", celsius, "flash temperature of the wheel's surface",
      copy_temperature<&SurfaceTemperatures::wheel>, has_temperatures},
-    {"deformed_distance", mm, "between the deformed surfaces, along n",
-     copy_result<&ContactResult::deformed_distance>},
+    kept_field<&ContactResult::deformed_distance>("deformed_distance", mm,
+                                                  "between the deformed surfaces, along n"),
     {"gap", mm, "undeformed distance along the rail's normal",
      [](const SceneResult& r, std::span<double> to) { copy_stored(r.problem.gap, to); }},
     {"state", number, "0 exterior, 1 adhesion, 2 slip",
@@ -317,20 +326,6 @@ std::vector<double> ElementQuantity::values(const SceneResult& result) const {
   return out;
 }
 
-std::vector<double> StepQuantity::values(const SceneResult& result) const {
-  std::vector<double> out;
-  for (const ContactResult& step : result.history)
-    out.push_back(value(result, step));
-  return out;
-}
-
-std::vector<double> RowQuantity::values(const SceneResult& result) const {
-  std::vector<double> out;
-  for (std::size_t row = 0; row < result.problem.rows.size(); ++row)
-    out.push_back(value(result, row));
-  return out;
-}
-
 std::string why_no_errors(const SceneResult& r) {
   const auto& estimate = r.result.discretisation;
   if (!estimate || estimate->converges)
@@ -339,10 +334,6 @@ std::string why_no_errors(const SceneResult& r) {
       "the pressure does not converge with the size of the elements (pmax {:.0f} MPa on elements "
       "twice as large). Give smaller elements, or smooth the profiles",
       estimate->coarse_pmax);
-}
-
-std::string error_name(const char* name) {
-  return std::string(name) + "_error";
 }
 
 double adhesion_share(const ContactResult& result) {

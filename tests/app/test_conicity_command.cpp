@@ -1,4 +1,4 @@
-#include "bem_contact/influence/h5_table.hpp"
+#include "bem_contact/h5/table.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/profile/worn/nominal_place.hpp"
 #include "tests/app/run_program.hpp"
@@ -85,7 +85,8 @@ TEST_F(ConicityCommand, TextJsonCsvAndHdf5AgreeAndTheHelpIsRight) {
       EXPECT_FALSE(data.unit.empty());
       EXPECT_EQ(data.values, values.get<std::vector<double>>()) << name;
     }
-  EXPECT_THAT(run("info '" + (folder_ / "c.h5").string() + "'").out, HasSubstr("conicity/tan_gamma [10] 1:"));
+  EXPECT_THAT(run("info '" + (folder_ / "c.h5").string() + "'").out,
+              HasSubstr("conicity/tan_gamma [10]: equivalent conicity"));
   const std::string csv = text_of(folder_ / "c.csv");
   EXPECT_THAT(csv, HasSubstr("lateral_mm,difference_mm,roll_rad,"));
   EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + j["function"]["lateral"].size());

@@ -1,12 +1,13 @@
 // A file with a dataset that is too short, empty or gone is refused by every reader, or does not matter to
 // it.
-#include "bem_contact/influence/h5_handle.hpp"
+#include "bem_contact/h5/handle.hpp"
 #include "tests/app/run_program.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cstddef>
 #include <functional>
+#include <hdf5.h>
 #include <limits>
 #include <vector>
 

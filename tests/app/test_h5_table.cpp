@@ -1,5 +1,5 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/influence/h5_table.hpp"
+#include "bem_contact/h5/table.hpp"
 #include "tests/base/message.hpp"
 #include "tests/base/temporary_folder.hpp"
 

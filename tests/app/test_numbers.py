@@ -25,7 +25,7 @@ def expand(*arguments):
 def read_h5(file):
     with h5py.File(file) as f:
         attributes = {k: v.decode() if isinstance(v, bytes) else v for k, v in f.attrs.items()}
-        return f["influence_numbers"][:], attributes, {k: v[:] for k, v in f.items()}
+        return f["influence_numbers"][:], attributes, {k: v[()] for k, v in f.items()}
 
 
 def read_csv(file):
@@ -74,7 +74,7 @@ class Numbers(unittest.TestCase):
         expand(*pair, "--format", "contact", "-o", self.folder / "pair.txt")
         table, attributes, data = read_h5(self.folder / "pair.h5")
         self.assertEqual(table.shape, (MX, MY, 3, MY, 3))
-        self.assertEqual((attributes["dx"], attributes["ds"]), (DX, DS))
+        self.assertEqual((data["dx"], data["ds"]), (DX, DS))
         self.assertIn("displacement of the rail less that of the wheel", attributes["frame"])
         self.assertIn("rail 60E1", attributes["body_rail"])
         np.testing.assert_allclose(data["s_rail"], -30.1 + DS * (np.arange(MY) - 2), atol=1e-12)

@@ -3,7 +3,7 @@
 #include "bem_contact/app/sweep/sweep_workers.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/said_by.hpp"
-#include "bem_contact/influence/h5_table.hpp"
+#include "bem_contact/h5/table.hpp"
 #include "tests/app/run_program.hpp"
 
 #include <chrono>
@@ -44,7 +44,6 @@ protected:
     H5Table table = read_h5(file);
     for (const char* name : {"seconds", "cpu_seconds"})
       table.datasets.erase(name);
-    std::erase_if(table.attributes, [](const auto& a) { return a.first.ends_with("/seconds"); });
     return table;
   }
   static void expect_equal(const H5Table& a, const H5Table& b) {
@@ -78,10 +77,10 @@ TEST_F(Sweep, EachCaseIsWhatSolveSaysOfIt) {
   const Outcome s = run("solve '" + write("one.toml", one).string() + "' --json");
   ASSERT_EQ(s.code, 0) << s.err;
   const auto j = nlohmann::json::parse(s.out);
-  EXPECT_NEAR(top("Fx"), j["totals"]["Fx"].get<double>(), 1e-9 * 6e3);
+  EXPECT_NEAR(top("Fx"), j["quantities"]["Fx"].get<double>(), 1e-9 * 6e3);
   EXPECT_NEAR(top("Fz"), 6e3, 1e-4);
   EXPECT_EQ(top("contact"), j["patches"][0]["contact"].get<double>());
-  EXPECT_EQ(table.datasets.at("cases/000013/halfspace/p_n").shape, (std::vector<std::size_t>{16, 16}));
+  EXPECT_EQ(table.datasets.at("cases/000013/p_n").shape, (std::vector<std::size_t>{16, 16}));
 
   const std::string csv = text_of(folder_ / "o.csv");
   EXPECT_THAT(csv, HasSubstr("case,load.force,motion.xi,status,seconds,cpu_seconds,Fx,"));
@@ -257,7 +256,7 @@ TEST_F(Sweep, SharesMergedAreTheWhole) {
   Outcome merged = sweep(cases, "--merge");
   EXPECT_EQ(merged.code, 3);
   EXPECT_THAT(merged.out, HasSubstr("4 missing"));
-  EXPECT_EQ(read_h5(out()).attributes.at("missing"), H5Attribute(4.0));
+  EXPECT_EQ(read_h5(out()).datasets.at("missing_count").values, std::vector<double>{4});
   ASSERT_EQ(sweep(cases, "--part 3/3").code, 0);
   merged = sweep(cases, "--merge");
   EXPECT_EQ(merged.code, 0) << merged.err;
@@ -291,7 +290,7 @@ TEST_F(Sweep, FilesThatABodyFileNamesAreInputs) {
   const SweepFile sweep = read_sweep_file(file);
   EXPECT_THAT(app::input_paths(sweep), testing::UnorderedElementsAre(points, body));
   std::vector<std::string> keys;
-  for (const app::InputRecord& input : app::given_sweep(sweep, "").inputs)
+  for (const InputRecord& input : app::given_sweep(sweep, "").inputs)
     keys.push_back(input.key);
   EXPECT_THAT(keys, testing::UnorderedElementsAre("rail.profile", "wheel.profile", "rail.profile[1]",
                                                   "rail.profile[1].body.profile", "rail.profile[2]"));
@@ -422,7 +421,7 @@ TEST_F(Sweep, OfWheelsetsIsWhatTheWheelsetCommandSays) {
   EXPECT_NEAR(at("right_share", 1), at("left_share", 0), 1e-5);
   EXPECT_NEAR(at("right_Fy", 1), -at("left_Fy", 0), 2);
   for (const char* wheel : {"right", "left"})
-    EXPECT_EQ(table.datasets.at(std::string("cases/000001/") + wheel + "/halfspace/p_n").shape.size(), 2u);
+    EXPECT_EQ(table.datasets.at(std::string("cases/000001/") + wheel + "/p_n").shape.size(), 2u);
   EXPECT_THAT(text_of(folder_ / "o.csv"), HasSubstr(",right_share,"));
   EXPECT_THAT(text_of(folder_ / "o.csv"), HasSubstr(",halfspace,"));
   EXPECT_THAT(text_of(folder_ / "o_units.csv"),

@@ -67,7 +67,7 @@ class TableCommand(unittest.TestCase):
                 if column["held"]:
                     self.assertLessEqual(column["interpolation_error"], 0.05 * column["scale"], name)
                     self.assertEqual(f["interpolation_error"][name][()], column["interpolation_error"])
-            fx, points = f["values/Fx"][()], f.attrs["points"]
+            fx, points = f["values/Fx"][()], f["points"][()]
         self.assertEqual(fx.size, points)
         alone = self.folder / "one.h5"
         self.run_table("table", self.scene, "-o", alone, "--tolerance", 0.05, "--jobs", 1)

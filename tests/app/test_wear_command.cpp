@@ -1,6 +1,6 @@
 // `bem_contact wear` and `bem_contact fatigue` as a user runs them.
 #include "bem_contact/base/file_lock.hpp"
-#include "bem_contact/influence/h5_table.hpp"
+#include "bem_contact/h5/table.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "tests/app/run_program.hpp"

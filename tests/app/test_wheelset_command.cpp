@@ -1,4 +1,4 @@
-#include "bem_contact/influence/h5_table.hpp"
+#include "bem_contact/h5/table.hpp"
 #include "tests/app/run_program.hpp"
 
 #include <gmock/gmock.h>
@@ -35,14 +35,13 @@ TEST_F(WheelsetCommand, TextJsonHdf5AndVtkAgreeAndThePagesAreRight) {
   for (const char* side : {"right", "left"}) {
     EXPECT_EQ(table.datasets.at(std::string(side) + "/track/Fy").values.at(0),
               j[side]["track"]["Fy"].get<double>());
-    for (const std::string stated :
-         {"Fy_error", "Fz_error", "pmax_error", "area_error", "friction_power_error"}) {
+    for (const std::string stated : {"Fy_error", "Fz_error", "pmax_error", "area_error", "T_gamma_error"}) {
       const json& error = j[side]["track"][stated];
       EXPECT_GT(error.get<double>(), 0) << stated;
       EXPECT_EQ(error, j[side]["result"]["quantities"][stated]) << stated;
       EXPECT_EQ(table.datasets.at(side + ("/track/" + stated)).values.at(0), error.get<double>()) << stated;
     }
-    EXPECT_EQ(table.datasets.at(std::string(side) + "/p_n").shape.size(), 2u);
+    EXPECT_EQ(table.datasets.at(std::string(side) + "/result/p_n").shape.size(), 2u);
     EXPECT_TRUE(std::filesystem::exists(folder_ / (std::string("w_") + side + ".vts")));
   }
   EXPECT_THAT(run("info '" + h5 + "'").out, HasSubstr("Both wheels of a wheelset"));

@@ -1,4 +1,5 @@
 #include "bem_contact/c/conformal_contact.h"
+#include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/uses/table/table_file.hpp"
 
 #include <gmock/gmock.h>
@@ -59,7 +60,7 @@ table::ContactTable slipping() {
 TableHandle opened(const table::ContactTable& t) {
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / ("conformal_table_" + std::to_string(getpid()) + ".h5");
-  write_h5(file, table::to_h5(t));
+  table::write_table(file, {{"format", record::Text{table_format}}}, t);
   conformal_table* handle = nullptr;
   char message[500] = "?";
   EXPECT_EQ(conformal_table_open(file.c_str(), &handle, message, sizeof message), CONFORMAL_OK) << message;

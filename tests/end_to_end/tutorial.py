@@ -51,8 +51,8 @@ class Tutorial(unittest.TestCase):
     def test_half_space(self):
         result = self.solved(self.plain, "--model", "halfspace")
         fx, fy = self.printed(r"on the rail: Fx (\S+) \+- \S+ N, Fy (\S+) \+- \S+ N, Fz 80000.0 N")
-        self.near(result["totals"]["Fx"], fx)
-        self.near(result["totals"]["Fy"], fy)
+        self.near(result["quantities"]["Fx"], fx)
+        self.near(result["quantities"]["Fy"], fy)
 
     def test_comparison(self):
         done = subprocess.run([programs.BIN / "bem_contact", "compare", "scene.toml", "--json"], cwd=self.folder, check=True,
@@ -63,9 +63,9 @@ class Tutorial(unittest.TestCase):
         for part, key in ((forces, "at_equal_forces"), (position, "at_equal_position")):
             for model, column in (("halfspace", 1), ("fem", 2)):
                 pmax = re.search(r"    pmax +MPa +(\S+) +(\S+)", part)
-                self.near(found[key][model]["pmax"], float(pmax[column]))
+                self.near(found[key][model]["quantities"]["pmax"], float(pmax[column]))
         lateral = re.search(r"    lateral +mm +(\S+)", forces)
-        self.assertAlmostEqual(found["at_equal_forces"]["halfspace"]["lateral"], float(lateral[1]), delta=2e-4)
+        self.assertAlmostEqual(found["at_equal_forces"]["halfspace"]["quantities"]["lateral"], float(lateral[1]), delta=2e-4)
         for model, column in (("halfspace", 1), ("fem", 2)):
             creep = re.search(r"    \+1\.0e-03 +N +(\S+) +(\S+)", self.page)
             self.near(found["creep_forces"][1]["Fx"][model], float(creep[column]), 2e-3)
@@ -73,8 +73,8 @@ class Tutorial(unittest.TestCase):
     def test_accuracy(self):
         result = self.solved(self.scene + self.grid, "--model", "fem")
         contact, pmax, fy = self.printed(r"\| 0\.01 \|.*?\| (\d+) \| (\S+) \+- \S+ \| (\d+) \|")
-        self.near(result["pmax"], pmax)
-        self.near(result["totals"]["Fy"], fy)
+        self.near(result["quantities"]["pmax"], pmax)
+        self.near(result["quantities"]["Fy"], fy)
         self.near(sum(patch["contact"] for patch in result["patches"]), contact, 0.02)
 
     def test_sweep(self):

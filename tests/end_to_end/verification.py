@@ -19,7 +19,7 @@ done = subprocess.run(["{program}", *sys.argv[1:]], stdout=subprocess.PIPE, text
 text = done.stdout
 if "--json" in sys.argv:
     result = json.loads(text)
-    result["pmax"] *= 1.05
+    result["quantities"]["pmax"] *= 1.05
     text = json.dumps(result)
 sys.stdout.write(text)
 sys.exit(done.returncode)

@@ -1,7 +1,7 @@
 // What HDF5 must not be asked to read: datasets that lie elsewhere, that are declared larger than what is
 // stored, or whose chunks are shorter than they must be. In results (read_h5()) and in influence files behind
 // a new seal.
-#include "bem_contact/influence/h5_table.hpp"
+#include "bem_contact/h5/table.hpp"
 #include "sample_function.hpp"
 
 #include <gmock/gmock.h>

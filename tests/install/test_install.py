@@ -97,7 +97,7 @@ class Installed(unittest.TestCase):
     def test_the_program_and_its_pages(self):
         program = self.prefix / "bin" / "bem_contact"
         self.assertEqual(run(program, "--version").strip(), f"bem_contact {VERSION}")
-        self.assertIn("holds", run(program, "solve", self.scene))
+        self.assertIn("certified: yes", run(program, "solve", self.scene))
         run(program, "solve", self.scene, "-o", self.work / "r.h5")
         run(program, "report", self.work / "r.h5", "-o", self.work / "r.html")  # the plotting library is in the program
         self.assertGreater((self.work / "r.html").stat().st_size, 1e6)
@@ -145,7 +145,7 @@ COMP_WORDS=(bem_contact comp); COMP_CWORD=1; _bem_contact; echo "${{COMPREPLY[@]
         self.assertTrue(file.startswith(str(folder)))
         for program in ((python, "-m", "bem_contact"), (folder / "bin" / "bem_contact",)):
             self.assertEqual(run(*program, "--version", cwd="/", env=clean).strip(), f"bem_contact {VERSION}")
-            self.assertIn("holds", run(*program, "solve", self.scene, cwd="/", env=clean))
+            self.assertIn("certified: yes", run(*program, "solve", self.scene, cwd="/", env=clean))
 
     def test_nothing_points_back(self):
         """No file of the installed tree knows where it was built or first installed."""

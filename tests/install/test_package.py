@@ -26,7 +26,7 @@ class Package(unittest.TestCase):
     def test_it_has_program_library_headers_module_data_and_pages(self):
         files = {line.split(maxsplit=5)[5].split(" -> ")[0] for line in run("dpkg-deb", "-c", self.package).splitlines()}
         for wanted in ("bin/bem_contact", "lib/libconformal_contact.so", f"lib/libconformal_contact.so.{VERSION}",
-                       "lib/libbem_contact_influence.so", f"lib/libbem_contact_influence.so.{VERSION}", "lib/libbem_contact_sequence.a", "include/conformal_contact.h",
+                       "lib/libbem_contact_h5.so", f"lib/libbem_contact_h5.so.{VERSION}", "lib/libbem_contact_sequence.a", "include/conformal_contact.h",
                        "include/bem_contact/sequence/sequence.hpp", "lib/pkgconfig/conformal_contact.pc",
                        "lib/cmake/conformal_contact/conformal_contact-config.cmake",
                        "lib/python3/dist-packages/bem_contact/__init__.py", "share/man/man1/bem_contact-solve.1",

@@ -99,7 +99,7 @@ TEST(PatchQuantities, SumsOverPatchesAreTheTotals) {
   };
   for (const char* force : {"Fx", "Fy", "Fz"})
     EXPECT_NEAR(sum(force), quantity(force).value(r), 1e-9 * r.result.Fz) << force;
-  for (const char* number : {"area", "friction_power", "contact", "adhesion", "slip"})
+  for (const char* number : {"area", "T_gamma", "contact", "adhesion", "slip"})
     EXPECT_NEAR(sum(number), quantity(number).value(r), 1e-9 * quantity(number).value(r)) << number;
   // About z through the origin: M_s sin(delta) + M_n cos(delta) of the moment, and the force at its centre.
   double mz = 0;

@@ -77,12 +77,12 @@ def read(file, model, border=FLANGE):
             case = {"lateral": lateral, "status": int(f["status"][i]), "reason": "", "cpu": f["cpu_seconds"][i]}
             if name in f:
                 case["reason"] = np.bytes_(f[name].attrs.get("reason", b"")).decode()
-            if case["status"] in (1, 2) and f"{name}/{model}" in f:
+            if case["status"] in (1, 2) and f"{name}/p_n" in f:
                 g = f[name]
-                pressure, delta = g[model]["p_n"][:], g["delta"][:]
-                dx, ds = g.attrs["dx_mm"], g.attrs["ds_mm"]
+                pressure, delta = g["p_n"][:], g["delta"][:]
+                dx, ds = (g["quantities"][size][()] for size in ("dx", "ds"))
                 flange = delta < -np.radians(border)
-                case |= {"x": g["x"][:], "s": g["s"][:], "state": g[model]["state"][:], "dx": dx, "ds": ds,
+                case |= {"x": g["x"][:], "s": g["s"][:], "state": g["state"][:], "dx": dx, "ds": ds,
                          "tread": pressure[~flange].sum() * dx * ds, "flange": pressure[flange].sum() * dx * ds,
                          "patches": int(f["patch_count"][i]), "maxima": maxima(pressure),
                          "pmax": pressure.max(), "Fx": f["Fx"][i], "Fy": f["Fy"][i]}

@@ -11,7 +11,7 @@ find_package(Boost 1.74 REQUIRED) # Boost.Math, headers alone: roots, quadrature
 pkg_check_modules(FFTW3 REQUIRED IMPORTED_TARGET fftw3 fftw3f)
 pkg_check_modules(OPENBLAS REQUIRED IMPORTED_TARGET openblas)
 
-# Only bem_contact/influence sees HDF5. It is the serial library in every build: deal.II brings the
+# Only bem_contact/h5 sees HDF5. It is the serial library in every build: deal.II brings the
 # OpenMPI one, and Debian gives the two different symbol versions, so that both may live in one
 # process as long as the room is linked as a shared library of its own.
 # zlib comes with it.

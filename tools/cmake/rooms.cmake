@@ -1,9 +1,9 @@
 # One CMake target a room. Every room is compiled with the project's root as its only include
 # directory, so an include line names its room: #include "bem_contact/base/error.hpp".
 
-# What is installed for C++ callers, from the bottom to the top. The room `influence`, which reads HDF5, stays a shared
+# What is installed for C++ callers, from the bottom to the top. The room `h5`, which reads HDF5, stays a shared
 # library of its own.
-set(conformal_library_rooms base profile halfspace reference contact geometry scene sequence uses_conicity uses_curves
+set(conformal_library_rooms base record profile influence halfspace reference contact geometry scene sequence uses_conicity uses_curves
     uses_table uses_wear uses_fatigue uses_wheelset uses_sweep c)
 list(TRANSFORM conformal_library_rooms PREPEND bem_contact_)
 

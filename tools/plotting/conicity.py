@@ -12,8 +12,8 @@ def draw(files):
     with h5py.File(files[0]) as file:
         for group in ("function", "conicity"):
             require_columns(file[group])
-        data = {name: values[:] for group in ("function", "conicity") for name, values in file[group].items()}
-        bodies = [" on ".join(text(file.attrs[f"{side}_{body}"]) for body in ("wheel", "rail")) for side in SIDES]
+        data = {name: values[:] for group in ("function", "conicity") for name, values in file[group].items() if isinstance(values, h5py.Dataset)}
+        bodies = [" on ".join(text(file[side].attrs[body] if side in file else file.attrs[f"{side}_{body}"]) for body in ("wheel", "rail")) for side in SIDES]
     figure, ((difference, conicity), (wheel, rail)) = style.panels(2, 2, (11, 8.4))
     y = data["lateral"]
     difference.plot(y, data["difference"], color=style.INK)

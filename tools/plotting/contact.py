@@ -1,10 +1,13 @@
 """One contact: the patch from above, cuts with the bound of friction, the section, stresses below."""
 
+import re
+
 import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 
 from . import style
+from .kinds import sizes_of, value
 
 ADHERES = 1
 MOST_ROWS, MOST_COLUMNS = 8, 12  # of arrows
@@ -15,14 +18,22 @@ class Contact:
     """Coordinates, fields and numbers of one model. Coordinates lie in one group of the file, fields in another."""
 
     def __init__(self, model, coordinates, group):
-        self.model, self.group, self.attributes = model, group, group.attrs
+        self.model, self.group = model, group
         self.x, self.s, self.y, self.z = (coordinates[c][:] for c in "xsyz")
-        self.dx, self.ds = coordinates.attrs["dx_mm"], coordinates.attrs["ds_mm"]
-        self.friction = float(coordinates.attrs.get("friction", 0))
-        self.left = "y left" in str(coordinates.attrs.get("frame", ""))
+        self.dx, self.ds = (value(*place) for place in sizes_of(coordinates, group))
+        self.friction = value(coordinates, "friction")
+        self.left = bool(re.search("y (to the )?left", str(coordinates.attrs.get("frame", ""))))
         self.rail, self.wheel = coordinates["rail_profile"][:], coordinates["wheel_profile"][:]
         self.state, self.pressure, self.px, self.ps = (group[name][:] for name in ("state", "p_n", "p_x", "p_s"))
         self.numbers = {name: float(data[()]) for name, data in group["quantities"].items()}
+
+    def verdict(self):
+        """Whether it is certified, and its worst violation."""
+        group = self.group
+        certified = value(group, "certified", "certificate_holds")
+        worst = self.numbers["certificate"] if "certificate" in self.numbers else value(group, "certificate_worst")
+        tolerance = group["certificate/tolerance"][()] if "certificate/tolerance" in group else value(group, "certificate_tolerance")
+        return f"{'certified' if certified else 'NOT certified'}: {worst:.0e}, at most {tolerance:.0e}"
 
     @property
     def shear(self):
@@ -86,10 +97,8 @@ def draw_patch(axis, contact, pmax, shear, title):
         outline(axis, contact, contact.state == ADHERES, color=style.ADHESION, linewidth=2.6, zorder=2.5)
         if not contact.slender:
             arrows(axis, contact, shear)
-    a = contact.attributes
-    verdict = "holds" if a["certificate_holds"] else "DOES NOT HOLD"
     axis.set_title(title, pad=18)
-    axis.annotate(f"certificate {verdict}: {a['certificate_worst']:.0e}, at most {a['certificate_tolerance']:.0e}", (0, 1),
+    axis.annotate(contact.verdict(), (0, 1),
                   xycoords="axes fraction", xytext=(0, 5), textcoords="offset points", fontsize=9)
     axis.set(aspect="auto" if contact.slender else "equal", facecolor=style.OUTSIDE, ylabel=style.UP)
     axis.grid(False)

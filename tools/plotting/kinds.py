@@ -19,6 +19,31 @@ def text(value):
     return value.decode() if isinstance(value, bytes) else str(value)
 
 
+def value(group, *names):
+    """The number or text of that name in a group; further names are those of files before 0.2, where numbers were attributes."""
+    for name in names:
+        if name in group.attrs:
+            found = group.attrs[name]
+            return text(found) if isinstance(found, (bytes, str)) else float(found)
+        if name in group and isinstance(group[name], h5py.Dataset):
+            return float(group[name][()])
+    raise KeyError(names[0])
+
+
+def results_in(group):
+    """{model: (coordinates, result)} of a group. Files before 0.2 have the fields of a result in a group named as its model."""
+    if "p_n" in group:
+        return {text(group.attrs["model"]): (group, group)}
+    return {name: (item if "x" in item else group, item) for name, item in group.items() if isinstance(item, h5py.Group) and "p_n" in item}
+
+
+def sizes_of(coordinates, result):
+    """Where the length and the width of an element stand: groups and names."""
+    if "dx_mm" in coordinates.attrs:
+        return (coordinates, "dx_mm"), (coordinates, "ds_mm")
+    return (result["quantities"], "dx"), (result["quantities"], "ds")
+
+
 def refuse(problem, why, what_to_do):
     """Ends the program as all programs here do where the input is wrong."""
     message = re.sub(r"(\S{90})\S{60,}(\S{50})", r"\1 ... \2", f"error: {problem} ({why}) {what_to_do}")  # names and values
@@ -66,7 +91,7 @@ def require_columns(group):
 
 
 def fault_of(data):
-    """Why HDF5 may not read a dataset, as bem_contact has it (influence/h5_dataset.cpp); "": it may."""
+    """Why HDF5 may not read a dataset, as bem_contact has it (h5/dataset.cpp); "": it may."""
     if data.external or data.is_virtual:
         return "lies in another file"
     stored, packed = data.id.get_storage_size(), data.compression is not None

@@ -5,9 +5,10 @@ import numpy as np
 
 from . import style
 from .contact import Contact, draw_cut, draw_history, draw_patch, draw_section, draw_stresses, patch_key
-from .kinds import text
+from .kinds import results_in, text
 
-SETS = {"equal_forces": "At equal forces", "equal_position": "At equal position and vertical force"}
+SETS = {"at_equal_forces": "At equal forces", "at_equal_position": "At equal position and vertical force"}
+SETS |= {name.removeprefix("at_"): title for name, title in SETS.items()}  # of files before 0.2
 NUMBERS = (("pmax", "MPa", 1), ("area", "mm²", 1), ("Fx", "N", 1), ("Fy", "N", 1), ("Fz", "N", 1), ("Mz", "N mm", 1), ("approach", "mm", 1),
            ("lateral", "mm", 1), ("free_rolling_xi", "‰", 1e3), ("Tmax_rail", "°C", 1), ("Tmax_wheel", "°C", 1))  # scale last
 SHARES = ("pmax", "area")  # differences of these are relative
@@ -87,7 +88,7 @@ def one_window(axes, contacts):
 
 def draw_result(files):
     with h5py.File(files[0]) as file:
-        contact = next(Contact(m, file, file[m]) for m in style.MODELS if m in file)
+        contact = next(Contact(model, *parts) for model, parts in results_in(file).items())
         stresses = contact.group.get("stresses")
         figure, axes = style.panels(2, 2, (12, 8.6), width_ratios=(1.35, 1), height_ratios=(1.5, 1))
         draw_patches(figure, axes[:1, 0], [contact], [style.MODELS[contact.model][0]])
@@ -137,7 +138,8 @@ def patch_height(contacts):
 def draw_comparison(files):
     with h5py.File(files[0]) as file:
         name = next(name for name in SETS if name in file)
-        contacts = [Contact(m, file[name][m], file[name][m]) for m in style.MODELS if m in file[name]]
+        found = results_in(file[name])
+        contacts = [Contact(m, *found[m]) for m in style.MODELS if m in found]
         lines = list(numbers_of(contacts[::-1]))  # the simplest model first, as the program prints
         rows = -(-len(contacts) // 2)
         heights = (rows * patch_height(contacts), 0.3, 3.6, 0.5 + 0.27 * len(lines))
@@ -169,7 +171,8 @@ def in_table(value, unit):
 def draw_wheelset(files):
     """The left wheel on the left: both patches in the frame of their side, and a table in the track frame."""
     with h5py.File(files[0]) as file:
-        contacts = [Contact(text(file[side].attrs["model"]), file[side], file[side]) for side in SIDES]
+        of = lambda side: file[side].get("result", file[side])  # noqa: E731
+        contacts = [Contact(text(of(side).attrs["model"]), of(side), of(side)) for side in SIDES]
         figure, axes = style.panels(3, 2, (12.5, 13), height_ratios=(1, 1.1, 0.6))
         draw_patches(figure, axes[0], contacts, [f"{side.capitalize()} wheel" for side in SIDES])
         patch_key(axes[0, 0], contacts, columns=1)

@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 
 from . import style
 
-NAMES = {"pmax": "largest pressure", "area": "area in contact", "Fx": "Fx", "Fy": "Fy", "Mz": "Mz", "friction_power": "friction power"}
+NAMES = {"pmax": "largest pressure", "area": "area in contact", "Fx": "Fx", "Fy": "Fy", "Mz": "Mz", "T_gamma": "friction power"}
 MARKS = {"halfspace": "o", "tangent_plane": "s", "fem": "D"}
 BARS = (0.05, 0.02, 0.01, 0.005)
 NEGLIGIBLE = 1e-5  # 1. Smaller errors are drawn here.

@@ -31,7 +31,7 @@ WORDS = {  # of the names in the files; a name that is not here stands as it is
     "pmax": "largest pressure", "area": "area in contact", "Fx": "longitudinal force Fx", "Fy": "lateral force Fy", "Fz": "vertical force Fz",
     "Fs": "shear force Fs along the profile", "Mz": "moment Mz about the vertical", "lateral": "lateral displacement",
     "free_rolling_xi": "creepage of free rolling", "free_rolling_radius": "rolling radius of free rolling",
-    "friction_power": "friction power", "adhesion_share": "share in adhesion", "patch_count": "number of patches",
+    "T_gamma": "T-gamma", "friction_power": "friction power", "adhesion_share": "share in adhesion", "patch_count": "number of patches",
     "Tmax_rail": "hottest place of the rail", "Tmax_wheel": "hottest place of the wheel",
     "reference_y": "reference point, y", "reference_z": "reference point, z", "reference_delta": "reference point, inclination",
     "patch_semi_axis_a": "first semi-axis", "patch_semi_axis_b": "second semi-axis", "patch_y": "patch, y", "patch_z": "patch, z",

@@ -4,7 +4,7 @@ import h5py
 import numpy as np
 
 from . import style
-from .kinds import text
+from .kinds import text, value
 
 DRAWN = 5  # columns of the table that a picture draws
 LINES = 4  # values of the second axis
@@ -17,7 +17,7 @@ def draw_errors(axis, file, columns, held):
     axis.barh(places, errors, color=[style.RAIL if c in held else "none" for c in columns], edgecolor=style.RAIL)
     axis.set(yticks=places, xlabel="% of the column's scale", title="Largest interpolation error")
     axis.set_yticklabels(map(style.words, columns), fontsize=min(10, 160 / len(columns)))
-    style.limit(axis, 100 * float(file.attrs["tolerance"]), f"goal {100 * float(file.attrs['tolerance']):g} %: filled bars are held to it",
+    style.limit(axis, 100 * value(file, "tolerance"), f"goal {100 * value(file, 'tolerance'):g} %: filled bars are held to it",
                 vertical=True)
     axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12))
 
@@ -79,7 +79,7 @@ def draw_nested(axis, file, axes, column):
 
 def draw(files):
     with h5py.File(files[0]) as file:
-        axes, columns, held = (text(file.attrs[name]).split() for name in ("axes", "columns", "held"))
+        axes, columns, held = (value(file, *names).split() for names in (("axis_names", "axes"), ("column_names", "columns"), ("held",)))
         varies = [c for c in columns if np.ptp(file[f"values/{c}"][:]) > LEAST_CHANGE * file[f"scale/{c}"][()]]
         shown = sorted(varies, key=lambda c: c not in held)[:DRAWN]
         rows = 1 + len(shown) // 3

@@ -22,7 +22,7 @@ def carter(program):
         x, p0 = r.fields["x"], 2 * force / LONG / (np.pi * a)
         p = mu * p0 * (middle_means(x, dx, a) - inner / a * middle_means(x - (a - inner), dx, inner))
         return {"Fx": (r["Fx"], (1 - inner**2) * mu * force),
-                "creepage, Fx given": (by_force.json["creepage_found"]["xi"], creepage),
+                "creepage, Fx given": (by_force.json["quantities"]["creepage_x"], creepage),
                 "adhesion, length": (np.sum(r.fields["state"] == 1) * dx, 2 * inner),
                 "p_x, r.m.s. difference": norm_of_difference(r.fields["p_x"][0], p)}
     return solve
@@ -44,7 +44,7 @@ def cattaneo(program):
         x, s = np.meshgrid(r.fields["x"], r.fields["s"])
         square, p0 = x * x + s * s, 1.5 * force / (np.pi * a * a)
         p = mu * p0 / a * (np.sqrt(np.maximum(a * a - square, 0)) - np.sqrt(np.maximum(inner**2 - square, 0)))
-        return {"shift": (r.json["creepage_found"]["xi"], shift),
+        return {"shift": (r.json["quantities"]["creepage_x"], shift),
                 "adhesion, area": (np.sum(r.fields["state"] == 1) * d * d, np.pi * inner**2),
                 "p_x, r.m.s. difference": norm_of_difference(r.fields["p_x"], p)}
     return solve
@@ -86,7 +86,7 @@ def bentall_johnson(program):
             "rail.material.shear_modulus": soft[0], "rail.material.poisson": soft[1], "load.force": force, "load.force_x": 0,
             "motion.friction": 1e-4, "grid.dx": size(2 * a, n), "grid.ds": long, "grid.mx": count(n), "grid.ms": 1,
             "gap.a": 1 / radius})
-        return {"creepage of free rolling": (r.json["creepage_found"]["xi"], creepage)}
+        return {"creepage of free rolling": (r.json["quantities"]["creepage_x"], creepage)}
     return solve
 
 
@@ -131,5 +131,5 @@ def power(program):
                                    "grid.ds": size(2 * h["b"], n), "grid.mx": m, "grid.ms": m, "gap.a": 1e-3, "gap.b": 2e-3}
                           | {f"motion.{k}": v for k, v in creepages.items()})
         supplied = creepages["xi"] * r["Fx"] + creepages["eta"] * r["Fy"] + creepages["phi"] * r["Mz"]
-        return {"power": (r["friction_power"], supplied)}
+        return {"power": (r["T_gamma"], supplied)}
     return solve

@@ -21,7 +21,7 @@ class Result:
     fields: dict  # of the grid: x, s, delta, gap; of the model: p_n, p_x, p_s, state ...
 
     def __getitem__(self, name):
-        return self.json["totals"][name] if name in self.json["totals"] else self.json[name]
+        return self.json["quantities"][name] if name in self.json["quantities"] else self.json[name]
 
 
 class Program:
@@ -52,7 +52,6 @@ class Program:
         printed = self.run(self.path, "solve", file, "--model", model, "--json", "-o", output)
         with h5py.File(output) as f:
             fields = {name: data[()] for name, data in f.items() if isinstance(data, h5py.Dataset)}
-            fields |= {name: data[()] for name, data in f[model].items() if isinstance(data, h5py.Dataset)}
         return Result(json.loads(printed), fields)
 
     def text(self, key, value):

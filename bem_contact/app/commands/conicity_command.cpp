@@ -1,13 +1,15 @@
 #include "bem_contact/app/command.hpp"
-#include "bem_contact/app/output/csv.hpp"
 #include "bem_contact/app/output/output_names.hpp"
-#include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
-#include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "bem_contact/record/csv.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/record/json.hpp"
+#include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/uses/conicity/wheelset_conicity.hpp"
 
 #include <CLI/CLI.hpp>
@@ -17,7 +19,6 @@
 #include <fmt/format.h>
 #include <iterator>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <ostream>
 #include <string>
 #include <tuple>
@@ -25,8 +26,6 @@
 namespace bem_contact::app {
 
 namespace {
-
-using nlohmann::json;
 
 constexpr const char* conicity_help =
     R"(A rigid wheelset is moved sideways on its track: where do its wheels touch, how much do their rolling radii differ, and
@@ -110,44 +109,6 @@ std::string conicity_text(const WheelsetConicity& c, const WheelsetOnTrack& w) {
   return out;
 }
 
-/// "function": arrays over the lateral displacement; "conicity": arrays over the amplitude, null where there
-/// is no motion. mm and rad.
-json conicity_json(const WheelsetConicity& c, const WheelsetOnTrack& w) {
-  json out = {{"right", {{"rail", w.right_rail.name()}, {"wheel", w.right_wheel.name()}}},
-              {"left", {{"rail", w.left_rail.name()}, {"wheel", w.left_wheel.name()}}},
-              {"wheel_radius", c.lengths.wheel_radius},
-              {"contact_distance", c.lengths.contact_distance},
-              {"rolls", w.rolls}};
-  for (const auto& column : stand_columns())
-    out["function"][column.name] = column.values(c.stands);
-  for (const auto& column : conicity_columns())
-    out["conicity"][column.name] = column.values(c.values); // nlohmann writes nan as null
-  return out;
-}
-
-/// The groups "function" and "conicity" with the same names as in JSON; nan where there is no motion. Scene
-/// and inputs as in result files.
-H5Table conicity_table(const WheelsetConicity& c, const WheelsetOnTrack& w, const GivenScene& given,
-                       const std::filesystem::path& output) {
-  H5Table table = file_of(conicity_format, given, output);
-  const auto add = [&](const std::string& group, const auto& columns, const auto& rows) {
-    for (const auto& column : columns)
-      table.datasets[group + column.name] =
-          H5Dataset::line(column.values(rows), column.unit, column.description);
-  };
-  add("function/", stand_columns(), c.stands);
-  add("conicity/", conicity_columns(), c.values);
-  auto& a = table.attributes;
-  a["right_rail"] = w.right_rail.name();
-  a["right_wheel"] = w.right_wheel.name();
-  a["left_rail"] = w.left_rail.name();
-  a["left_wheel"] = w.left_wheel.name();
-  a["wheel_radius_mm"] = c.lengths.wheel_radius;
-  a["contact_distance_mm"] = c.lengths.contact_distance;
-  a["rolls"] = w.rolls ? 1.0 : 0.0;
-  return table;
-}
-
 ExitCode run(const ConicityArguments& arguments) {
   GivenScene given = given_scene(arguments);
   const std::vector<NamedFile> left = left_files(arguments.left);
@@ -163,11 +124,16 @@ ExitCode run(const ConicityArguments& arguments) {
   wheelset.rolls = arguments.rolls;
   const WheelsetConicity conicity = wheelset_conicity(wheelset, arguments.amplitudes);
   if (!arguments.output.empty())
-    write_h5(arguments.output, conicity_table(conicity, wheelset, given, arguments.output));
+    record::write_hdf5(
+        arguments.output,
+        headed(conicity_format, given, arguments.output).append(record_of(conicity, wheelset)));
   if (!arguments.csv.empty())
-    write_text(arguments.csv, [&](std::ostream& out) { write_csv(out, stand_columns(), conicity.stands); });
-  fmt::print("{}", arguments.json ? conicity_json(conicity, wheelset).dump(2) + "\n"
-                                  : conicity_text(conicity, wheelset));
+    write_text(arguments.csv, [&](std::ostream& out) {
+      record::write_csv(out, record::table_of("displacement", stand_columns(), conicity.stands));
+    });
+  fmt::print("{}", arguments.json
+                       ? record::to_json(headed(conicity_format).append(record_of(conicity, wheelset))) + "\n"
+                       : conicity_text(conicity, wheelset));
   return success;
 }
 

@@ -1,28 +1,29 @@
 #include "bem_contact/app/commands/creep_curves_command.hpp"
 
 #include "bem_contact/app/number_list.hpp"
-#include "bem_contact/app/output/csv.hpp"
-#include "bem_contact/app/output/scene_record.hpp"
+#include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
-#include "bem_contact/influence/file_kinds.hpp"
+#include "bem_contact/record/csv.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/record/json.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
-#include "bem_contact/uses/curves/creep_columns.hpp"
+#include "bem_contact/sequence/scene_record.hpp"
+#include "bem_contact/uses/curves/creep_record.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <fmt/format.h>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <ostream>
 #include <spdlog/spdlog.h>
+#include <sstream>
 
 namespace bem_contact::app {
 
 namespace {
-
-using nlohmann::json;
 
 constexpr const char* creep_curves_help =
     R"(Each curve varies one creepage; all else is what the scene says, and the wheelset stays where it is. Without a range
@@ -114,67 +115,22 @@ std::string curves_text(const CreepCurves& c) {
   return out;
 }
 
-/// "slopes", "kalker" and "sensitivities" are matrices [Fx, Fs, Mz][xi, eta, phi]; "curves" has arrays for
-/// each creepage that was varied. N, mm; errors that are not known are null.
-json curves_json(const CreepCurves& c) {
-  json out = {{"model", name_of(c.solution.model)},
-              {"Fz", c.solution.result.Fz},
-              {"bound", c.bound},
-              {"radius", c.radius},
-              {"certified", c.certified()},
-              {"forces", forces_of(c.solution)},
-              {"curves", json::object()}};
-  for (const CreepMatrixEntry& entry : creep_matrices()) {
-    const CreepMatrix* matrix = entry.of(c);
-    out[entry.name] = matrix ? json(*matrix) : json(nullptr);
-  }
-  if (const auto& l = c.linear)
-    out["kalker"] = {{"slopes", l->slopes},           {"semi_axis_x", l->semi_axis_x},
-                     {"semi_axis_s", l->semi_axis_s}, {"tilt", l->tilt},
-                     {"deviation", l->deviation},     {"shear_modulus", l->shear_modulus},
-                     {"poisson", l->poisson},         {"c11", l->coefficients.c11},
-                     {"c22", l->coefficients.c22},    {"c23", l->coefficients.c23},
-                     {"c33", l->coefficients.c33}};
-  for (const CreepCurve& curve : c.curves) {
-    json& of = out["curves"][std::string(name_of(curve.which))];
-    of["creepage"] = creepages_of(curve);
-    for (const CreepColumn& column : creep_columns())
-      of[column.name] = column.values(curve.points);
-  }
-  return out;
-}
-
-/// All curves below each other: which, creepage, forces, their errors, adhesion, certified.
+/// All curves below each other: which creepage varied, the creepage, and the columns of a curve.
 void write_curves(std::ostream& out, const CreepCurves& c) {
-  out << "varied,creepage," << csv_head(creep_columns()) << '\n';
-  for (const CreepCurve& curve : c.curves)
-    for (const CreepPoint& p : curve.points)
-      out << name_of(curve.which) << ',' << csv_cell(p.creepage, 9) << ',' << csv_line(creep_columns(), p)
-          << '\n';
-}
-
-/// Groups "xi", "eta", "phi" for the curves; the matrices at the top. Errors that are not known are nan.
-/// Scene and inputs as in result files.
-H5Table curves_table(const CreepCurves& c, const GivenScene& given, const std::filesystem::path& output) {
-  H5Table table = file_of(creep_curves_format, given, output);
-  auto& d = table.datasets;
-  for (const CreepMatrixEntry& entry : creep_matrices())
-    if (const CreepMatrix* values = entry.of(c))
-      d[entry.name] =
-          H5Dataset::matrix(*values, "Fx, Fs: N (by phi: N mm); Mz: N mm (by phi: N mm2)", entry.description);
+  const char* head = "varied,";
   for (const CreepCurve& curve : c.curves) {
-    const std::string group = fmt::format("{}/", name_of(curve.which));
-    d[group + "creepage"] = H5Dataset::line(creepages_of(curve), unit_of(curve.which),
-                                            "varied; the other two as the scene has them");
-    for (const CreepColumn& column : creep_columns())
-      d[group + column.name] = H5Dataset::line(column.values(curve.points), column.unit, column.description);
+    std::ostringstream lines;
+    record::Table table = table_of(curve);
+    table.columns.front().unit = "1"; // that of phi is another
+    record::write_csv(lines, table);
+    std::istringstream in(lines.str());
+    std::string line;
+    std::getline(in, line);
+    if (*head)
+      out << std::exchange(head, "") << line << '\n';
+    while (std::getline(in, line))
+      out << name_of(curve.which) << ',' << line << '\n';
   }
-  auto& a = table.attributes;
-  a["model"] = std::string(name_of(c.solution.model));
-  a["Fz_N"] = c.solution.result.Fz;
-  a["bound_N"] = c.bound;
-  a["radius_mm"] = c.radius;
-  return table;
 }
 
 ExitCode run(const CreepArguments& arguments) {
@@ -186,10 +142,13 @@ ExitCode run(const CreepArguments& arguments) {
   if (arguments.strict)
     refuse_warnings(curves.solution.warnings);
   if (!arguments.output.empty())
-    write_h5(arguments.output, curves_table(curves, given, arguments.output));
+    record::write_hdf5(arguments.output,
+                       headed(creep_curves_format, given, arguments.output).append(record_of(curves)));
   if (!arguments.csv.empty())
     write_text(arguments.csv, [&](std::ostream& out) { write_curves(out, curves); });
-  fmt::print("{}", arguments.json ? curves_json(curves).dump(2) + "\n" : curves_text(curves));
+  fmt::print("{}", arguments.json
+                       ? record::to_json(headed(creep_curves_format).append(record_of(curves))) + "\n"
+                       : curves_text(curves));
   warn(curves.solution.warnings);
   if (curves.certified())
     return success;

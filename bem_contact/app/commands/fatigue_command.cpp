@@ -1,27 +1,25 @@
 #include "bem_contact/app/command.hpp"
-#include "bem_contact/app/output/csv.hpp"
-#include "bem_contact/app/output/error_text.hpp"
 #include "bem_contact/app/output/output_names.hpp"
-#include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/output_file.hpp"
-#include "bem_contact/influence/file_kinds.hpp"
+#include "bem_contact/record/csv.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/record/json.hpp"
+#include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/uses/fatigue/fatigue_of_result.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 namespace bem_contact::app {
 
 namespace {
-
-using nlohmann::json;
 
 constexpr const char* fatigue_help =
     R"(Every case of the table [sweep] is solved. Each patch gets one line: its point in the shakedown diagram (p0/k and mu
@@ -38,36 +36,6 @@ struct FatigueArguments {
   fatigue::FatigueProperties properties;
 };
 
-/// "patches": a list for each column.
-json json_of(const fatigue::CollectiveFatigue& table) {
-  json out = {{"cases", table.cases},
-              {"beyond_surface_limit", table.beyond_surface},
-              {"beyond_limit_below", table.beyond_below},
-              {"damage", table.damage}};
-  for (const auto& c : fatigue::collective_columns()) {
-    out["patches"][c.name] = c.values(table.patches);
-    out["units"][c.name] = c.unit;
-  }
-  return out;
-}
-
-/// The group "patches" with the same names; what was asked as in result files.
-H5Table h5_of(const fatigue::CollectiveFatigue& table, const FatigueArguments& arguments,
-              const SweepFile& sweep) {
-  H5Table out = file_of(fatigue_format, given_sweep(sweep, ""), arguments.output);
-  for (const auto& c : fatigue::collective_columns())
-    out.datasets[std::string("patches/") + c.name] =
-        H5Dataset::line(c.values(table.patches), c.unit, c.description);
-  out.datasets["damage"] = H5Dataset::single(table.damage, "1", "of one passage, mean over the collective");
-  out.datasets["beyond_surface_limit"] = H5Dataset::single(
-      static_cast<double>(table.beyond_surface), "1", "patches beyond the shakedown limit of the surface");
-  out.datasets["beyond_limit_below"] =
-      H5Dataset::single(static_cast<double>(table.beyond_below), "1",
-                        "other patches beyond the shakedown limit below the surface");
-  out.attributes["yield_shear_MPa"] = arguments.properties.yield_shear;
-  return out;
-}
-
 ExitCode run(const FatigueArguments& arguments) {
   const SweepFile sweep = read_sweep_file(arguments.scene);
   check_values(sweep);
@@ -75,14 +43,16 @@ ExitCode run(const FatigueArguments& arguments) {
                         {{"--output", arguments.output, OutputForm::whole_file}, {"--csv", arguments.csv}});
   const fatigue::CollectiveFatigue table = fatigue_of(sweep, arguments.properties);
   const auto write = [&](std::ostream& out) {
-    write_csv(out, fatigue::collective_columns(), table.patches, 8);
+    record::write_csv(out, record::table_of("patch", fatigue::collective_columns(), table.patches), 8);
   };
   if (!arguments.output.empty())
-    write_h5(arguments.output, h5_of(table, arguments, sweep));
+    record::write_hdf5(arguments.output, headed(fatigue_format, given_sweep(sweep, ""), arguments.output)
+                                             .append(record_of(table, arguments.properties)));
   if (!arguments.csv.empty())
     write_text(arguments.csv, write);
   if (arguments.json) {
-    fmt::print("{}\n", json_of(table).dump(2));
+    fmt::print("{}\n",
+               record::to_json(headed(fatigue_format).append(record_of(table, arguments.properties))));
     return success;
   }
   if (arguments.csv.empty() && arguments.output.empty())

@@ -1,12 +1,13 @@
 #include "bem_contact/app/command.hpp"
-#include "bem_contact/app/output/error_text.hpp"
 #include "bem_contact/app/output/repeat.hpp"
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/influence/file_seal.hpp"
-#include "bem_contact/influence/h5_table.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/requirements.hpp"
+#include "bem_contact/record/error_text.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/record/text.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 
 #include <CLI/CLI.hpp>
@@ -20,56 +21,50 @@ namespace bem_contact::app {
 
 namespace {
 
-H5Table without_cases(H5Table table) {
-  std::erase_if(table.attributes, [](const auto& a) { return a.first.starts_with("cases/"); });
-  return table;
+/// The group of each result that the file holds whole: "" or "at_equal_forces/fem/".
+void find_results(const record::Record& record, const std::string& path, std::vector<std::string>& groups) {
+  if (record::number_at(record, "quantities/Fx"))
+    groups.push_back(path);
+  for (const record::Entry& entry : record.entries())
+    if (const auto* inner = std::get_if<record::Record>(&entry.content))
+      find_results(*inner, path + entry.name + "/", groups);
 }
 
-/// "  fem: Fx 5352 +- 130 N, ...": the main numbers of each result that the file holds whole.
-std::string main_results(const H5Table& table) {
+/// "  fem: Fx 5352 +- 130 N, ...": the main numbers of each.
+std::string main_results(const record::Record& file) {
+  std::vector<std::string> groups;
+  find_results(file, "", groups);
   std::string out;
-  constexpr std::string_view first = "quantities/Fx";
-  for (const auto& [dataset, data] : table.datasets) {
-    if (!dataset.ends_with(first) || data.values.size() != 1)
-      continue;
-    const std::string group = dataset.substr(0, dataset.size() - first.size());
-    const auto of = [&](const std::string& name) {
-      const auto found = table.datasets.find(group + "quantities/" + name);
-      return found != table.datasets.end() && found->second.values.size() == 1 ? found->second.values.front()
-                                                                               : std::nan("");
-    };
-    const auto holds = table.attributes.find(group + "certificate_holds");
+  for (const std::string& group : groups) {
     out += fmt::format("  {}:", group.empty() ? "result" : group.substr(0, group.size() - 1));
     for (const char* name : {"Fx", "Fy", "Fz", "Mz", "approach", "pmax", "area"}) {
-      const double error = of(error_name(name));
+      const auto of = [&](const std::string& path) {
+        return record::number_at(file, group + "quantities/" + path).value_or(std::nan(""));
+      };
+      const double error = of(record::error_name(name));
       out += fmt::format(" {} {}{} {},", name,
-                         fixed_within(of(name), error, name == std::string_view("approach") ? 5 : 2),
-                         plus_minus(error), quantity(name).unit.rolling);
+                         record::fixed_within(of(name), error, name == std::string_view("approach") ? 5 : 2),
+                         record::plus_minus(error), quantity(name).unit.rolling);
     }
-    out += holds != table.attributes.end() && holds->second == H5Attribute(1.0)
-               ? " the certificate holds\n"
-               : " the certificate does not hold\n";
+    // Files before 0.2 do not say whether all steps are solutions.
+    const auto certified = record::flag_at(file, group + "certified");
+    const bool old = record::number_at(file, group + "certificate_holds") == 1.0;
+    out += certified.value_or(old) ? " certified\n" : " NOT certified\n";
   }
   return out.empty() ? "" : "Main results\n" + out;
 }
 
-std::string describe_table(const H5Table& table, const std::string& title,
-                           const std::filesystem::path& file) {
-  std::string out = title + "\n" + main_results(table);
-  for (const auto& [name, value] : table.attributes)
-    out += std::holds_alternative<std::string>(value)
-               ? fmt::format("  {}: {}\n", name, std::get<std::string>(value))
-               : fmt::format("  {}: {:g}\n", name, std::get<double>(value));
-  for (const auto& [name, text] : table.texts)
-    out += fmt::format("  {}: {} characters, {}\n", name, text.text.size(), text.description);
-  out += "Datasets\n";
-  for (const auto& [name, data] : table.datasets)
-    out += data.shape.empty()
-               ? fmt::format("  {} = {:.6g} {}: {}\n", name, dataset_of(table, name, file, 1).values.front(),
-                             data.unit, data.description)
-               : fmt::format("  {} [{}] {}: {}\n", name, fmt::join(data.shape, "]["), data.unit,
-                             data.description);
+/// The fields of a sweep's cases are not read, but the reasons of some are.
+record::Record without_cases(const record::Record& sweep) {
+  record::Record out;
+  for (const record::Entry& entry : sweep.entries())
+    if (entry.name != "cases" || !std::holds_alternative<record::Record>(entry.content))
+      out.add(entry.name, entry.content);
   return out;
+}
+
+std::string describe_record(const record::Record& file, const std::string& title) {
+  return title + "\n" + main_results(file) + record::to_text(file);
 }
 
 std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes) {
@@ -114,11 +109,10 @@ std::string describe_file(const std::filesystem::path& file) {
   // Only files whose seal holds go to HDF5.
   if (begins_with_seal(file))
     return describe_influence(read_influence_file(file), std::filesystem::file_size(file));
-  const H5Table top = read_h5_top(file, "patches"); // a sweep's fields may be large
-  const std::string format = text_attribute(top, "format");
-  for (const FileKind& kind : file_kinds)
-    if (format == kind.format)
-      return describe_table(format == sweep_format ? without_cases(top) : read_h5(file), kind.title, file);
+  const record::Record top = record::from_h5(read_h5_top(file, "patches")); // a sweep's fields may be large
+  if (const FileKind* kind = kind_of(record::text_at(top, "format").value_or("")))
+    return describe_record(kind == kind_of(sweep_format) ? without_cases(top) : record::read_hdf5(file),
+                           kind->title);
   throw InputError(fmt::format("'{}' is not a file of this project", file.string()),
                    "it is HDF5 and neither influence functions, nor plain numbers, nor a result, nor a sweep",
                    "Name a file that fem_influence or bem_contact wrote.");

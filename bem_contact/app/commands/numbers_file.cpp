@@ -3,8 +3,9 @@
 #include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
-#include "bem_contact/influence/file_kinds.hpp"
-#include "bem_contact/influence/h5_table.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/sequence/scene_record.hpp"
 
 #include <algorithm>
 #include <array>
@@ -65,27 +66,24 @@ void write_numbers_h5(const std::filesystem::path& file, const PlainNumbers& pla
   const InfluenceNumbers& a = plain.numbers;
   const auto mx = static_cast<std::size_t>(a.offsets), my = static_cast<std::size_t>(a.rows);
   const InfluenceNumbers written_out = spelled_out(a);
-  H5Table table;
-  table.datasets["influence_numbers"] = {
-      {mx, my, 3, my, 3},
-      {written_out.values.begin(), written_out.values.end()},
-      "mm/MPa",
-      "[m][I][i][J][j]: displacement i of element (m, I), averaged over it, under 1 MPa of traction j on "
-      "element (0, J); i, j = 0 x, 1 s, 2 n; m < 0: times -1 where exactly one of i, j is x"};
+  record::Record out = headed(numbers_format);
+  out.add("influence_numbers",
+          record::field(
+              {written_out.values.begin(), written_out.values.end()}, "mm/MPa",
+              "[m][I][i][J][j]: displacement i of element (m, I), averaged over it, under 1 MPa of traction "
+              "j on element (0, J); i, j = 0 x, 1 s, 2 n; m < 0: times -1 where exactly one of i, j is x",
+              {mx, my, 3, my, 3}));
   std::vector<double> x;
   for (int m = 0; m < a.offsets; ++m)
     x.push_back(m * a.dx);
-  table.datasets["offset"] =
-      H5Dataset::line(std::move(x), "mm", "x of the displaced element less x of the loaded one");
+  out.add("offset", record::field(std::move(x), "mm", "x of the displaced element less x of the loaded one"));
   for (const auto& [name, values] : plain.rows)
-    table.datasets[name] =
-        H5Dataset::line(values, "mm", "arc length of the rows' centres on that body's profile");
-  table.attributes["format"] = std::string(numbers_format);
-  table.attributes["dx"] = a.dx;
-  table.attributes["ds"] = a.ds;
+    out.add(name, record::field(values, "mm", "arc length of the rows' centres on that body's profile"));
+  out.add("dx", record::Number{a.dx, "mm", "length of an element"});
+  out.add("ds", record::Number{a.ds, "mm", "width of an element"});
   for (const auto& [name, text] : plain.remarks)
-    table.attributes[name] = text;
-  write_h5(file, table);
+    out.add(name, text);
+  record::write_hdf5(file, out);
 }
 
 void write_numbers_csv(const std::filesystem::path& file, const PlainNumbers& plain) {

@@ -1,14 +1,19 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/comparison_report.hpp"
-#include "bem_contact/app/output/error_text.hpp"
+#include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/repeat.hpp"
 #include "bem_contact/app/output/report.hpp"
-#include "bem_contact/app/output/result_file.hpp"
 #include "bem_contact/app/output/vtk_file.hpp"
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/record/json.hpp"
+#include "bem_contact/sequence/quantities.hpp"
+#include "bem_contact/sequence/result_file.hpp"
+#include "bem_contact/sequence/result_record.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/settings.hpp"
@@ -19,14 +24,11 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
 namespace bem_contact::app {
 
 namespace {
-
-using nlohmann::json;
 
 constexpr const char* solve_help =
     R"(Example: a wheel-like body rolls steadily with creepage and spin.
@@ -86,23 +88,27 @@ ExitCode verdict(const SceneResult& r) {
   return no_convergence;
 }
 
-json difference_json(const QuantityDifference& d, const SceneResult& now) {
-  return {{"name", d.quantity->name},
-          {"unit", d.quantity->unit.of(now)},
-          {"before", d.before},
-          {"now", d.now},
-          {"allowed", d.allowed}};
+record::Record repetition_record(const Repetition& repetition) {
+  record::Record differences;
+  for (const QuantityDifference& d : repetition.differences) {
+    const auto number = [&](double value, const char* meaning) {
+      return record::Number{value, d.quantity->unit.of(is_shift(repetition.result)), meaning};
+    };
+    differences.add(d.quantity->name, record::Record{{"before", number(d.before, "in the file")},
+                                                     {"now", number(d.now, "of this program")},
+                                                     {"allowed", number(d.allowed, "by the certificate")}});
+  }
+  return {{"same", repetition.same()},
+          {"made_by", record::Record{{"program", record::Text{repetition.program}},
+                                     {"commit", record::Text{repetition.commit}}}},
+          {"differences", std::move(differences)},
+          {"other_differences", record::Texts{repetition.others, "in words"}},
+          {"result", record_of(repetition.result, {.fields = false})}};
 }
 
-json repetition_json(const Repetition& repetition) {
-  json differences = json::array();
-  for (const QuantityDifference& d : repetition.differences)
-    differences.push_back(difference_json(d, repetition.result));
-  return {{"same", repetition.same()},
-          {"made_by", {{"program", repetition.program}, {"commit", repetition.commit}}},
-          {"differences", differences},
-          {"other_differences", repetition.others},
-          {"result", to_json(repetition.result)}};
+/// What --json prints of an answer.
+template <class Answer> std::string json_of(const char* format, const Answer& answer) {
+  return record::to_json(headed(format).append(record_of(answer, {.fields = false}))) + "\n";
 }
 
 /// A result file in place of a scene.
@@ -118,7 +124,8 @@ ExitCode run_repeat(const SceneArguments& arguments) {
   warn(repetition.warnings);
   if (arguments.strict)
     refuse_warnings(repetition.result.warnings);
-  fmt::print("{}", arguments.json ? repetition_json(repetition).dump(2) + "\n" : to_text(repetition));
+  fmt::print("{}",
+             arguments.json ? record::to_json(repetition_record(repetition)) + "\n" : to_text(repetition));
   warn(repetition.result.warnings);
   return std::max(verdict(repetition.result), repetition.same() ? success : no_convergence);
 }
@@ -136,10 +143,10 @@ ExitCode run_solve(const SceneArguments& arguments) {
   if (arguments.strict)
     refuse_warnings(result.warnings);
   if (!arguments.output.empty())
-    write_h5(arguments.output, to_table(result, given, arguments.output));
+    record::write_hdf5(arguments.output, result_file(result, given, arguments.output));
   if (!arguments.vtk.empty())
     write_vts(arguments.vtk, result);
-  fmt::print("{}", arguments.json ? to_json(result).dump(2) + "\n" : to_text(result));
+  fmt::print("{}", arguments.json ? json_of(result_format, result) : to_text(result));
   warn(result.warnings);
   return verdict(result);
 }
@@ -179,11 +186,11 @@ ExitCode run_compare(const SceneArguments& arguments) {
     for (const SceneResult& result : comparison.leading())
       refuse_warnings(result.warnings);
   if (!arguments.output.empty())
-    write_h5(arguments.output, to_table(comparison, given, arguments.output));
+    record::write_hdf5(arguments.output, comparison_file(comparison, given, arguments.output));
   if (!arguments.vtk.empty())
     for (const SceneResult& result : comparison.leading())
       write_vts(surface_of(result.model), result);
-  fmt::print("{}", arguments.json ? to_json(comparison).dump(2) + "\n" : to_text(comparison));
+  fmt::print("{}", arguments.json ? json_of(comparison_format, comparison) : to_text(comparison));
   warn(warnings_of(comparison));
   ExitCode worst = success;
   for (const auto* results : {&comparison.at_forces, &comparison.at_position})

@@ -1,13 +1,15 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/number_list.hpp"
 #include "bem_contact/app/output/output_names.hpp"
-#include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/app/sweep/sweep_workers.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/json.hpp"
+#include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/uses/sweep/sweep_case.hpp"
 #include "bem_contact/uses/table/creep_table.hpp"
 #include "bem_contact/uses/table/scene_table.hpp"
@@ -69,22 +71,30 @@ std::vector<double> numbers_of(const std::string& text, char between, const char
                    fmt::format("Give one like {}.", example));
 }
 
-json json_of(const table::ContactTable& t, double seconds) {
-  json out = {{"points", t.size()},       {"solved", t.solved}, {"checked", t.checked},
-              {"tolerance", t.tolerance}, {"seconds", seconds}, {"axes", json::object()},
-              {"columns", json::object()}};
+/// What --json prints: all but the values.
+record::Record summary_of(const table::ContactTable& t, double seconds) {
+  record::Record axes, columns;
   for (const table::Axis& axis : t.axes)
     if (axis.first.empty())
-      out["axes"][axis.name] = axis.points;
+      axes.add(axis.name, record::Field{axis.unit, axis.description, {axis.points.size()}, axis.points});
     else
-      out["axes"][axis.name] = {{"points", axis.points.size()}, {"from", axis.from()}, {"to", axis.to()}};
-  for (const table::Column& c : t.columns)
-    out["columns"][c.name] = {{"unit", c.unit},
-                              {"held", c.held},
-                              {"scale", c.scale},
-                              {"interpolation_error", c.interpolation_error},
-                              {"element_error", c.element_error}};
-  return out;
+      axes.add(axis.name,
+               record::Record{{"points", record::Number{double(axis.points.size()), "1", "", {}, true}},
+                              {"from", record::Number{axis.from(), axis.unit, "its lower end"}},
+                              {"to", record::Number{axis.to(), axis.unit, "its upper end"}}});
+  const record::Record all = record_of(t);
+  for (const table::Column& c : t.columns) {
+    record::Record one{{"unit", record::Text{c.unit}}, {"held", c.held}};
+    for (const char* what : {"scale", "interpolation_error", "element_error"})
+      one.add(what, *record::find(all, fmt::format("{}/{}", what, c.name)));
+    columns.add(c.name, std::move(one));
+  }
+  record::Record out = headed(table_format);
+  for (const char* what : {"points", "solved", "checked", "tolerance"})
+    out.add(what, *record::find(all, what));
+  return out.add("seconds", record::Number{seconds, "s", "wall clock"})
+      .add("axes", std::move(axes))
+      .add("columns", std::move(columns));
 }
 
 std::string words_of(const table::ContactTable& t, double seconds) {
@@ -234,15 +244,14 @@ ExitCode run(TableArguments arguments) {
   table::refine(order.table, side_by_side(order.make_solver, arguments.jobs), arguments.wanted);
   const double seconds = watch.seconds();
   if (!arguments.output.empty()) {
-    H5Table file = table::to_h5(order.table);
-    if (order.given)
-      add_scene(file, *order.given, arguments.output);
-    write_h5(arguments.output, file);
+    const record::Record head =
+        order.given ? headed(table_format, *order.given, arguments.output) : headed(table_format);
+    table::write_table(arguments.output, head, order.table);
   }
   if (!arguments.text.empty())
     write_text(arguments.text, [&](std::ostream& out) { out << table::to_text(order.table); });
-  fmt::print("{}",
-             arguments.json ? json_of(order.table, seconds).dump(2) + "\n" : words_of(order.table, seconds));
+  fmt::print("{}", arguments.json ? record::to_json(summary_of(order.table, seconds)) + "\n"
+                                  : words_of(order.table, seconds));
   return success;
 }
 

@@ -1,15 +1,18 @@
 #include "bem_contact/app/command.hpp"
-#include "bem_contact/app/output/error_text.hpp"
+#include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/report.hpp"
-#include "bem_contact/app/output/result_file.hpp"
-#include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/app/output/vtk_file.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/provenance.hpp"
-#include "bem_contact/influence/file_kinds.hpp"
+#include "bem_contact/record/error_text.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/record/json.hpp"
 #include "bem_contact/sequence/quantities.hpp"
+#include "bem_contact/sequence/result_file.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
+#include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/uses/wheelset/quantities.hpp"
 #include "bem_contact/uses/wheelset/settings.hpp"
 #include "bem_contact/uses/wheelset/solve_wheelset.hpp"
@@ -19,14 +22,13 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 namespace bem_contact::app {
 
 namespace {
 
-using nlohmann::json;
+using namespace record; // of its texts of numbers
 
 constexpr const char* wheelset_help =
     R"(A scene of one wheel becomes one of both if its table [load] is replaced by
@@ -69,7 +71,7 @@ std::string errors_of(const WheelQuantity& q, const WheelsetResult& r) {
 
 /// "  Fz               N          109328         90672        200000": the sum only where there is one.
 std::string line_of(const WheelQuantity& q, const WheelsetResult& r) {
-  std::string out = fmt::format("  {:16} {:5}", q.name, q.unit);
+  std::string out = fmt::format("  {:16} {:5}", q.name, q.unit.rolling);
   for (const WheelSide side : both_sides)
     out += fmt::format(" {:>13}", number(q.value(r.state, side), error_of(q, r, side)));
   for (const WheelsetQuantity& sum : wheelset_quantities())
@@ -93,14 +95,6 @@ std::string pose_text(const WheelsetResult& r) {
   return out;
 }
 
-json numbers_of(const WheelsetState& state, WheelSide side) {
-  json out = json::object();
-  with_errors(wheel_quantities(), [&](const std::string& name, const char*, auto value, const char*) {
-    out[name] = value(state, side);
-  });
-  return out;
-}
-
 /// For people: both wheels side by side in the track frame, then what solve prints of each.
 std::string wheelset_text(const WheelsetResult& r) {
   std::string out = pose_text(r);
@@ -121,49 +115,6 @@ std::string wheelset_text(const WheelsetResult& r) {
   return out;
 }
 
-/// "wheelset" (wheelset_quantities()), "right" and "left": each with "track" (wheel_quantities(), track
-/// frame) and "result", the object that solve prints of this wheel, in the frame of its side.
-json wheelset_json(const WheelsetResult& r) {
-  json totals = json::object(), units = json::object();
-  for (const WheelsetQuantity& q : wheelset_quantities()) {
-    totals[q.name] = q.value(r);
-    units[q.name] = q.unit;
-  }
-  with_errors(wheel_quantities(),
-              [&](const std::string& name, const char* unit, auto, const char*) { units[name] = unit; });
-  const auto wheel = [&](WheelSide side) {
-    return json{{"track", numbers_of(r.state, side)}, {"result", to_json(r.state.solved(side))}};
-  };
-  return {{"program", provenance("bem_contact")},
-          {"commit", commit()},
-          {"wheelset", totals},
-          {"right", wheel(WheelSide::right)},
-          {"left", wheel(WheelSide::left)},
-          {"units", units},
-          {"certified", r.state.certified()},
-          {"warnings", r.warnings},
-          {"seconds", r.seconds}};
-}
-
-/// Groups wheelset, right/track and left/track with one dataset for each number; in right and left the whole
-/// result of each wheel as comparisons have it, in the frame of its side. Scene and inputs as in result
-/// files.
-H5Table wheelset_table(const WheelsetResult& r, const GivenScene& given,
-                       const std::filesystem::path& output) {
-  H5Table table = file_of(wheelset_format, given, output);
-  for (const WheelsetQuantity& q : wheelset_quantities())
-    table.datasets[fmt::format("wheelset/{}", q.name)] = H5Dataset::single(q.value(r), q.unit, q.description);
-  for (const WheelSide side : both_sides) {
-    const std::string group = fmt::format("{}/", name_of(side));
-    with_errors(wheel_quantities(), [&](const std::string& name, const char* unit, auto value,
-                                        const char* description) {
-      table.datasets[group + "track/" + name] = H5Dataset::single(value(r.state, side), unit, description);
-    });
-    add_whole_result(table, group, r.state.solved(side));
-  }
-  return table;
-}
-
 std::string surface_of(const WheelsetArguments& arguments, WheelSide side) {
   return fmt::format("{}_{}.vts", arguments.vtk, name_of(side));
 }
@@ -182,11 +133,15 @@ ExitCode run(const WheelsetArguments& arguments) {
   if (arguments.strict)
     refuse_warnings(result.warnings);
   if (!arguments.output.empty())
-    write_h5(arguments.output, wheelset_table(result, given, arguments.output));
+    record::write_hdf5(arguments.output,
+                       headed(wheelset_format, given, arguments.output).append(record_of(result)));
   for (const WheelSide side : both_sides)
     if (!arguments.vtk.empty())
       write_vts(surface_of(arguments, side), result.state.solved(side));
-  fmt::print("{}", arguments.json ? wheelset_json(result).dump(2) + "\n" : wheelset_text(result));
+  fmt::print(
+      "{}", arguments.json
+                ? record::to_json(headed(wheelset_format).append(record_of(result, {.fields = false}))) + "\n"
+                : wheelset_text(result));
   warn(result.warnings);
   return result.state.certified() ? success : no_convergence;
 }

@@ -1,15 +1,13 @@
 #include "bem_contact/app/output/comparison_report.hpp"
 
-#include "bem_contact/app/output/error_text.hpp"
 #include "bem_contact/app/output/report.hpp"
-#include "bem_contact/sequence/quantities.hpp"
+#include "bem_contact/record/error_text.hpp"
+#include "bem_contact/sequence/compared_quantities.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
-#include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 #include <string_view>
 
@@ -17,65 +15,15 @@ namespace bem_contact::app {
 
 namespace {
 
-using nlohmann::json;
-
-/// What a difference is divided by, and how it is printed.
-enum class Scale { own, resultant, friction, friction_moment, plain };
-
-double scale_of(Scale scale, double own, const SceneResult& r) {
-  return scale == Scale::own         ? std::abs(own)
-         : scale == Scale::resultant ? std::hypot(r.result.Fy, r.result.Fz)
-         : scale == Scale::friction  ? friction_bound(r.problem, r.result)
-         : scale == Scale::friction_moment
-             ? friction_bound(r.problem, r.result) * std::sqrt(contact_area(r.result) / std::numbers::pi)
-             : 1;
-}
-
-using Value = std::optional<double>;
-
-/// One line of a table.
-struct ComparedQuantity {
-  const char *label, *unit;
-  std::string_view name; ///< of the quantity
-  Scale scale;
-  bool friction = false; ///< without friction there is none
-
-  Value of(const SceneResult& r) const {
-    const double value = quantity(name).value(r);
-    return std::isnan(value) || (friction && !r.problem.has_friction()) ? Value() : Value(value);
-  }
-};
-
-constexpr std::string_view approach_name = "approach";
-constexpr ComparedQuantity compared[] = {
-    {"pmax", "MPa", "pmax", Scale::own},
-    {"area", "mm2", "area", Scale::own},
-    {"approach", "mm", approach_name, Scale::own},
-    {"Fx", "N", "Fx", Scale::friction, true},
-    {"Fy", "N", "Fy", Scale::resultant},
-    {"Fz", "N", "Fz", Scale::resultant},
-    {"Mz", "N mm", "Mz", Scale::friction_moment, true},
-    {"friction power", "N", "friction_power", Scale::own, true},
-    {"adhesion", "share", "adhesion_share", Scale::plain, true},
-    {"free rolling", "xi", "free_rolling_xi", Scale::plain},
-    {"rolling radius", "mm", "free_rolling_radius", Scale::plain},
-    {"lateral", "mm", "lateral", Scale::plain},
-};
+using namespace record; // of its texts of numbers
+using Scale = DifferenceScale;
 
 /// Whether two approaches are the same quantity: they are relative to the same places.
 bool same_datum(const SceneResult& a, const SceneResult& b) {
   return a.approach_datum == b.approach_datum;
 }
 
-/// By how much the reference's number is larger than the model's, over its scale. Nothing where one of them
-/// is missing or the scale is zero.
-Value difference(const ComparedQuantity& q, const SceneResult& model, const SceneResult& reference) {
-  const Value a = q.of(model), b = q.of(reference);
-  if (!a || !b || (q.name == approach_name && !same_datum(model, reference)))
-    return std::nullopt;
-  const double scale = scale_of(q.scale, *a, model);
-  return scale > 0 ? Value((*b - *a) / scale) : std::nullopt;
-}
+using Value = std::optional<double>;
 
 /// `rounding`: what is smaller is zero.
 std::string text_of(Value value, double error, double rounding) {
@@ -128,11 +76,6 @@ std::string errors_line(const std::vector<double>& errors) {
   return any ? out + '\n' : "";
 }
 
-double error_of(const ComparedQuantity& q, const SceneResult& r) {
-  const auto error = quantity(q.name).error;
-  return error && q.of(r) ? error(r) : unknown_error;
-}
-
 /// A column for each model, then one for each difference.
 std::string table(const Comparison& c, const std::vector<SceneResult>& results) {
   const SceneResult& reference = results[c.reference];
@@ -143,19 +86,19 @@ std::string table(const Comparison& c, const std::vector<SceneResult>& results) 
     if (i != c.reference)
       out += cell(results.size() == 2 ? "difference" : "to " + title_of(c.models[i]));
   out += '\n';
-  for (const ComparedQuantity& q : compared) {
+  for (const ComparedQuantity& q : compared_quantities()) {
     if (std::ranges::none_of(results, [&](const SceneResult& r) { return q.of(r).has_value(); }))
       continue;
     out += row_label(q.label, q.unit);
     std::vector<double> errors;
     for (const SceneResult& r : results) {
-      errors.push_back(error_of(q, r));
+      errors.push_back(q.error(r).value_or(unknown_error));
       const bool plain = q.scale == Scale::plain || q.scale == Scale::own;
-      out += cell(text_of(q.of(r), errors.back(), plain ? 0 : rounding * scale_of(q.scale, 0, r)));
+      out += cell(text_of(q.of(r), errors.back(), plain ? 0 : rounding * q.scale_of(0, r)));
     }
     for (std::size_t i = 0; i < results.size(); ++i)
       if (i != c.reference)
-        out += cell(difference_text(q, difference(q, results[i], reference)));
+        out += cell(difference_text(q, q.difference(results[i], reference)));
     out += '\n' + errors_line(errors);
   }
   const auto add = [&](const char* name, const char* unit, const auto& of) {
@@ -165,7 +108,8 @@ std::string table(const Comparison& c, const std::vector<SceneResult>& results) 
     out += '\n';
   };
   add("patches", "", [](const SceneResult& r) { return fmt::format("{}", r.result.patches.size()); });
-  add("certificate", "worst",
+  add("certified", "", [](const SceneResult& r) { return certified(r) ? "yes" : "NO"; });
+  add("worst violation", "",
       [](const SceneResult& r) { return fmt::format("{:.1e}", r.result.certificate.worst()); });
   add("discretisation (est.)", "", discretisation_text);
   add("seconds", "", [](const SceneResult& r) { return fmt::format("{:.2f}", r.seconds.total); });
@@ -214,44 +158,7 @@ std::string creep_text(const Comparison& c) {
   return out;
 }
 
-json set_json(const Comparison& c, const std::vector<SceneResult>& results) {
-  if (results.empty())
-    return nullptr;
-  json set = json::object(), differences = json::object();
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    const std::string name(name_of(c.models[i]));
-    set[name] = to_json(results[i]);
-    if (i == c.reference)
-      continue;
-    for (const ComparedQuantity& q : compared) {
-      const Value d = difference(q, results[i], results[c.reference]);
-      differences[name][std::string(q.name)] = d ? json(*d) : json(nullptr);
-    }
-  }
-  set["difference"] = differences;
-  return set;
-}
-
 } // namespace
-
-json to_json(const Comparison& c) {
-  json models = json::array(), creep = json::array();
-  for (const Model model : c.models)
-    models.push_back(name_of(model));
-  for (std::size_t k = 0; k < c.creep_forces.creepage.size(); ++k) {
-    json& at = creep.emplace_back(json{{"xi_from_free_rolling", c.creep_forces.creepage[k]}});
-    for (std::size_t i = 0; i < c.models.size(); ++i) {
-      const std::string name(name_of(c.models[i]));
-      at["Fx"][name] = c.creep_forces.Fx[i][k];
-      at["Fx_error"][name] = c.creep_forces.Fx_error[i][k];
-    }
-  }
-  return {{"models", models},
-          {"reference", name_of(c.models[c.reference])},
-          {"at_equal_forces", set_json(c, c.at_forces)},
-          {"creep_forces", creep},
-          {"at_equal_position", set_json(c, c.at_position)}};
-}
 
 std::string to_text(const Comparison& c) {
   const bool one_set = c.at_forces.empty() || c.at_position.empty();
@@ -261,7 +168,7 @@ std::string to_text(const Comparison& c) {
   out += fmt::format(
       "elements of {:g} x {:g} mm; differences: {} less the other, in %: of Fx over the sum of mu "
       "p_n dS, of Fy and Fz over their resultant, of Mz over that sum times sqrt(area / pi), "
-      "of pmax, area and friction power over the other's value\n\n",
+      "of pmax, area and T-gamma over the other's value\n\n",
       grid.dx, grid.ds, title_of(c.models[c.reference]));
   if (!c.at_forces.empty())
     out += forces_title(c) + table(c, c.at_forces) + datum_text(c, c.at_forces);

@@ -28,7 +28,7 @@ inline std::string csv_cell(double value, int digits) {
   return std::isnan(value) ? std::string() : fmt::format("{:.{}g}", value, digits);
 }
 
-/// The heads of all columns (base/column.hpp).
+/// The heads of all columns (record/column.hpp).
 template <class Columns> std::string csv_head(const Columns& columns) {
   const auto name = [](const auto& column) { return csv_name(column.name, column.unit); };
   return fmt::format("{}", fmt::join(columns | std::views::transform(name), ","));

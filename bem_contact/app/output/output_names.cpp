@@ -42,4 +42,15 @@ void require_named_outputs(const std::vector<std::filesystem::path>& inputs,
       require_page_name(output);
 }
 
+GivenScene read_given_scene_for(const std::vector<Output>& outputs, const std::string& file,
+                                const std::string& model) {
+  GivenScene out = read_given_scene(file, model);
+  require_named_outputs(files_read(file, out.scene), outputs);
+  if (std::ranges::any_of(outputs, [](const Output& output) {
+        return output.form == OutputForm::whole_file && !output.file.empty();
+      }))
+    out.inputs = inputs_of(out.scene);
+  return out;
+}
+
 } // namespace bem_contact::app

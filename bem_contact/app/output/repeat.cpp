@@ -1,14 +1,15 @@
 #include "bem_contact/app/output/repeat.hpp"
 
-#include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/base/sha256.hpp"
 #include "bem_contact/base/temporary_folder.hpp"
-#include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
+#include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <cmath>
@@ -22,24 +23,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void require_result(const H5Table& table, const fs::path& file) {
-  const std::string format = text_attribute(table, "format");
-  if (format == result_format && table.texts.contains("scene_with_defaults"))
+void require_result(const record::Record& file, const fs::path& path) {
+  const std::string format(record::text_at(file, "format").value_or(""));
+  const FileKind* kind = kind_of(format);
+  if (kind == kind_of(result_format) && record::text_at(file, "scene_with_defaults"))
     return;
-  const std::string name = file.string();
-  for (const FileKind& other : file_kinds)
-    if (format == other.format && *other.command)
-      throw InputError(fmt::format("'{}' cannot be repeated by solve", name),
-                       fmt::format("it holds {}", other.holds),
-                       fmt::format("Write its scene with bem_contact info --scene '{}' and give it to "
-                                   "bem_contact {}.",
-                                   name, other.command));
-  throw InputError(
-      fmt::format("'{}' cannot be repeated", name),
-      format.starts_with("bem_contact result")
-          ? fmt::format("its format is '{}', and this program repeats '{}'", format, result_format)
-          : "it is no result file",
-      "Name a file that bem_contact solve -o of this version wrote, or a scene.");
+  const std::string name = path.string();
+  if (kind && *kind->command)
+    throw InputError(fmt::format("'{}' cannot be repeated by solve", name),
+                     fmt::format("it holds {}", kind->holds),
+                     fmt::format("Write its scene with bem_contact info --scene '{}' and give it to "
+                                 "bem_contact {}.",
+                                 name, kind->command));
+  throw InputError(fmt::format("'{}' cannot be repeated", name),
+                   kind ? "it does not say what was solved" : "it is no result file",
+                   "Name a file that bem_contact solve -o wrote, or a scene.");
 }
 
 /// "FILE#2" has a file and a number behind it.
@@ -71,8 +69,8 @@ void require_unchanged(const InputRecord& input, const fs::path& place) {
 /// Prepares all inputs and points the scene's keys to them.
 class InputsAgain {
 public:
-  InputsAgain(const H5Table& table, fs::path folder)
-      : inputs_(stored_inputs(table)), folder_(std::move(folder)) {}
+  InputsAgain(const record::Record& file, fs::path folder)
+      : inputs_(stored_inputs(file)), folder_(std::move(folder)) {}
 
   void point_to(SceneReader& reader, std::vector<std::string>& warnings) {
     for (const InputRecord& input : inputs_) // all of them before one is written
@@ -137,15 +135,37 @@ private:
   TemporaryFolder folder_of_copies_;
 };
 
-void compare_geometry(const H5Table& table, const char* key, std::uint64_t now,
+/// `body`: "rail" or "wheel".
+void compare_geometry(const record::Record& file, const std::string& body, std::uint64_t now,
                       std::vector<std::string>& others) {
-  const std::string before = text_attribute(table, fmt::format("inputs/{}/geometry", key));
+  const auto text = [&](const std::string& path) {
+    return std::string(record::text_at(file, path).value_or(""));
+  };
+  const std::string input = fmt::format("inputs/{}.profile/", body);
+  std::string before = text("geometry/" + body);
+  if (before.empty())
+    before = text(input + "geometry"); // of files before 0.2
   const std::string digest = fmt::format("{:016x}", now);
   if (!before.empty() && before != digest)
     others.push_back(
-        fmt::format("{} '{}': this program makes another curve of it (its checksum was {} and is "
-                    "{})",
-                    key, text_attribute(table, fmt::format("inputs/{}/name", key)), before, digest));
+        fmt::format("{}.profile '{}': this program makes another curve of it (its checksum was {} "
+                    "and is {})",
+                    body, text(input + "name"), before, digest));
+}
+
+/// The numbers of the result, and its model.
+std::pair<std::map<std::string, double>, std::string> numbers_before(const record::Record& file) {
+  std::map<std::string, double> before;
+  std::string model(record::text_at(file, "model").value_or(""));
+  const record::Content* quantities = record::find(file, "quantities");
+  for (const std::string_view known : EnumNames<Model>::names)
+    if (const auto* inside = record::find(file, std::string(known) + "/quantities"))
+      quantities = inside, model = known; // of files before 0.2
+  if (const auto* all = quantities ? std::get_if<record::Record>(quantities) : nullptr)
+    for (const record::Entry& entry : all->entries())
+      if (const auto* number = std::get_if<record::Number>(&entry.content))
+        before[entry.name] = number->value;
+  return {before, model};
 }
 
 } // namespace
@@ -160,32 +180,27 @@ bool is_hdf5(const fs::path& file) {
 }
 
 Repetition repeat_result(const fs::path& file, const fs::path& folder) {
-  const H5Table table = read_h5(file);
-  require_result(table, file);
-  const fs::path start = folder.empty()
-                             ? (file.parent_path() / text_attribute(table, "scene_folder")).lexically_normal()
-                             : folder;
+  const record::Record stored = record::read_hdf5(file);
+  require_result(stored, file);
+  const auto text = [&](const char* path) { return std::string(record::text_at(stored, path).value_or("")); };
+  const fs::path start =
+      folder.empty() ? (file.parent_path() / text("scene_folder")).lexically_normal() : folder;
   Repetition out;
-  out.program = text_attribute(table, "program");
-  out.commit = text_attribute(table, "commit");
-  SceneReader reader({table.texts.at("scene_with_defaults").text,
-                      fmt::format("scene_with_defaults of '{}'", file.string()), start});
-  InputsAgain inputs(table, start);
+  out.program = text("program");
+  out.commit = text("commit");
+  SceneReader reader(
+      {text("scene_with_defaults"), fmt::format("scene_with_defaults of '{}'", file.string()), start});
+  InputsAgain inputs(stored, start);
   inputs.point_to(reader, out.warnings);
   out.result = Sequence().solve(reader.scene());
 
-  std::map<std::string, double> before;
-  constexpr std::string_view group = "/quantities/";
-  for (const auto& [name, data] : table.datasets)
-    if (const auto at = name.find(group); at != std::string::npos && data.values.size() == 1) {
-      before[name.substr(at + group.size())] = data.values.front();
-      out.model = name.substr(0, at);
-    }
+  const auto [before, model] = numbers_before(stored);
+  out.model = model;
   out.differences = differing_quantities(before, out.result);
   if (out.model != name_of(out.result.model))
     out.others.push_back(fmt::format("the model was {} and is {}", out.model, name_of(out.result.model)));
-  compare_geometry(table, "rail.profile", out.result.rail_geometry, out.others);
-  compare_geometry(table, "wheel.profile", out.result.wheel_geometry, out.others);
+  compare_geometry(stored, "rail", out.result.rail_geometry, out.others);
+  compare_geometry(stored, "wheel", out.result.wheel_geometry, out.others);
   return out;
 }
 
@@ -207,7 +222,7 @@ std::string to_text(const Repetition& r) {
     const double error = q.error ? q.error(r.result) : std::nan("");
     out += fmt::format("{:<20} {:>14.9g} {:>14.9g} {:>11.2e} {:>11.1e} {:>11} {}\n", q.name, d.before, d.now,
                        d.now - d.before, d.allowed, std::isnan(error) ? "-" : fmt::format("{:.1e}", error),
-                       q.unit.of(r.result));
+                       q.unit.of(is_shift(r.result)));
   }
   return out + fmt::format("allowed: {:.0e} of the scale of the quantity, by the certificate; its error: by "
                            "the size of the elements\n",
@@ -215,13 +230,13 @@ std::string to_text(const Repetition& r) {
 }
 
 std::string stored_scene(const fs::path& file, bool with_defaults) {
-  const H5Table top = read_h5_top(file);
-  const auto text = top.texts.find(with_defaults ? "scene_with_defaults" : "scene_text");
-  if (text == top.texts.end())
+  const record::Record top = record::from_h5(read_h5_top(file));
+  const auto text = record::text_at(top, with_defaults ? "scene_with_defaults" : "scene_text");
+  if (!text)
     throw InputError(fmt::format("'{}' holds no scene", file.string()),
                      "it is no file of this version that says what was solved",
                      "Name a file that solve, compare, sweep, creep-curves, conicity or wheelset wrote.");
-  return text->second.text;
+  return std::string(*text);
 }
 
 } // namespace bem_contact::app

@@ -1,68 +1,21 @@
 #include "bem_contact/app/output/report.hpp"
 
 #include "bem_contact/app/output/asked_output.hpp"
-#include "bem_contact/app/output/error_text.hpp"
 #include "bem_contact/base/fixed_text.hpp"
-#include "bem_contact/base/provenance.hpp"
+#include "bem_contact/record/error_text.hpp"
 #include "bem_contact/sequence/quantities.hpp"
+#include "bem_contact/sequence/uncertified.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <initializer_list>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace bem_contact::app {
 
 namespace {
 
-using nlohmann::json;
-
-json certificate_json(const Certificate& c) {
-  return {{"pressure", c.pressure},
-          {"penetration", c.penetration},
-          {"complementarity", c.complementarity},
-          {"friction_cone", c.friction_cone},
-          {"adhesion", c.adhesion},
-          {"slip_direction", c.slip_direction},
-          {"force_balance", c.force_balance},
-          {"worst", c.worst()},
-          {"tolerance", c.tolerance},
-          {"holds", c.holds()},
-          {"discretisation", c.discretisation < 0 ? json(nullptr) : json(c.discretisation)}};
-}
-
-/// null where it was not estimated
-json extrapolated_json(const SceneResult& r) {
-  if (!r.result.discretisation)
-    return nullptr;
-  const ContactTotals& e = r.result.discretisation->extrapolated;
-  return {{"Fx", e.Fx},
-          {"Fy", e.Fy},
-          {"Fz", e.Fz},
-          {"Mz", e.Mz + r.reference.position.y * e.Fx - r.reference.x * e.Fy},
-          {"approach", e.approach}};
-}
-
-/// What prescribed forces added to the creepages of the scene; null where none was prescribed.
-json creepages_json(const ContactProblem& problem, const ContactResult& result) {
-  return {{"xi", problem.force_x ? json(result.creepage_x) : json(nullptr)},
-          {"eta", problem.force_s ? json(result.creepage_s) : json(nullptr)}};
-}
-
-/// One object a step, [] for steady rolling.
-json history_json(const SceneResult& r) {
-  json steps = json::array();
-  for (const ContactResult& step : r.history) {
-    json numbers = {{"creepage_found", creepages_json(r.problem, step)}};
-    for (const StepQuantity& q : step_quantities())
-      numbers[q.name] = q.value(r, step);
-    numbers["converged"] = step.converged;
-    steps.push_back(std::move(numbers));
-  }
-  return steps;
-}
+using namespace record; // of its texts of numbers
 
 /// Decimals that leave five digits of `largest`, at least one.
 int decimals_for_five(double largest) {
@@ -107,63 +60,6 @@ std::string rolling_text(const SceneResult& r) {
   return out;
 }
 
-/// null of a patch, and where it was not looked for
-json free_rolling_json(const SceneResult& r) {
-  if (!r.free_rolling)
-    return nullptr;
-  return {{"xi", r.free_rolling->xi},
-          {"xi_error", r.free_rolling->xi_error},
-          {"rolling_radius", r.free_rolling->rolling_radius},
-          {"rolling_radius_error", r.free_rolling->radius_error()},
-          {"xi_from_there", r.xi - r.free_rolling->xi}};
-}
-
-/// The unit of every name in "quantities", "patches" and "history", and of what only this object has.
-json units_json(const SceneResult& r) {
-  json units = {{"seconds", "s"},         {"stress", "MPa"},        {"von_mises", "MPa"},
-                {"largest_shear", "MPa"}, {"depths", "mm"},         {"s_from", "mm"},
-                {"s_to", "mm"},           {"other_laterals", "mm"}, {"lateral_slope", "N/mm"},
-                {"xi_from_there", "1"},   {"rolling_radius", "mm"}};
-  const auto add = [&](const auto& table) {
-    for (const auto& q : table)
-      units[q.name] = q.unit.of(r);
-  };
-  add(quantities());
-  add(patch_quantities());
-  add(step_quantities());
-  return units;
-}
-
-/// Every number of the result under the name that it has in all outputs, with its error.
-template <class Table, class... Patch>
-json quantities_json(const Table& table, const SceneResult& r, Patch... patch) {
-  json out = json::object();
-  with_errors(table, [&](const std::string& name, const QuantityUnit&, auto value, const char*) {
-    out[name] = value(r, patch...);
-  });
-  return out;
-}
-
-/// Of these numbers some, each with its error.
-json some_of(const json& numbers, std::initializer_list<const char*> names) {
-  json out = json::object();
-  for (const char* name : names)
-    for (const std::string& key : {std::string(name), error_name(name)})
-      if (numbers.contains(key))
-        out[key] = numbers[key];
-  return out;
-}
-
-json patches_json(const SceneResult& r) {
-  json patches = json::array();
-  for (std::size_t i = 0; i < r.result.patches.size(); ++i) {
-    json& patch = patches.emplace_back(quantities_json(patch_quantities(), r, i));
-    for (const char* count : {"contact", "adhesion", "slip"}) // whole numbers, not 12.0
-      patch[count] = patch[count].get<int>();
-  }
-  return patches;
-}
-
 /// "pmax 437.0 +- 4.2 MPa, area ..." in one line, with what each stands for.
 std::string pressure_text(const SceneResult& r) {
   const auto& estimate = r.result.discretisation;
@@ -183,7 +79,7 @@ std::string patches_text(const SceneResult& r, double force) {
   const auto line = [](const auto&... cells) {
     return fmt::format("{:>5} {:>11} {:>11} {:>11} {:>10} {:>9} {:>9}", cells...);
   };
-  std::string out = line("patch", "Fn N", "Fx N", "Fs N", "approach", "pmax MPa", "area mm2") +
+  std::string out = line("patch", "Fn N", "Fx N", "Fs N", "overlap", "pmax MPa", "area mm2") +
                     fmt::format(" {:>8}{}\n", "contact", friction ? " adhesion   slip" : "");
   for (std::size_t i = 0; i < r.result.patches.size(); ++i) {
     const PatchSummary& p = r.result.patches[i];
@@ -203,8 +99,8 @@ std::string patches_text(const SceneResult& r, double force) {
 }
 
 /// Where all adheres the sum is rounding, and may be below zero.
-std::string friction_power_text(const SceneResult& r) {
-  return count_elements(r.result).slip > 0 ? digits(r, "friction_power", 4) : "0";
+std::string t_gamma_text(const SceneResult& r) {
+  return count_elements(r.result).slip > 0 ? digits(r, "T_gamma", 4) : "0";
 }
 
 /// Each total with its error. `force`: the largest, whose digits all have.
@@ -218,8 +114,10 @@ std::string totals_text(const SceneResult& r, double force) {
   if (!c.patches.empty())
     out += pressure_text(r);
   if (r.problem.has_friction())
-    out += fmt::format("friction dissipates {} {}\n", friction_power_text(r),
-                       r.problem.motion == MotionKind::shift ? "N mm" : "N mm per mm rolled");
+    out += fmt::format(fmt::runtime(r.problem.motion == MotionKind::shift
+                                        ? "work of friction {} N mm\n"
+                                        : "T-gamma (work of friction per rolled length) {} N\n"),
+                       t_gamma_text(r));
   if (c.temperatures)
     out += fmt::format("flash temperature: rail at most {}, wheel {} degrees C\n", fixed(r, "Tmax_rail", 1),
                        fixed(r, "Tmax_wheel", 1));
@@ -231,26 +129,26 @@ std::string totals_text(const SceneResult& r, double force) {
   return out;
 }
 
-json grid_json(const ContactProblem& problem) {
-  const ContactGrid& grid = problem.grid;
-  return {{"mx", grid.mx},
-          {"ms", grid.ms},
-          {"dx", grid.dx},
-          {"ds", grid.ds},
-          {"s_from", problem.rows.front().s},
-          {"s_to", problem.rows.back().s}};
+/// Why this model. On a plane the half-space is no approximation, and the long reason says nothing.
+std::string reason_text(const SceneResult& r) {
+  const std::vector<ContactRow>& rows = r.problem.rows;
+  const bool plane =
+      std::ranges::all_of(rows, [&](const ContactRow& row) { return row.delta == rows.front().delta; });
+  const bool judged = r.reason.starts_with("the normal turns"); // or the scene names the model
+  return r.model == Model::halfspace && plane && judged && r.model_enough ? "the surfaces are flat"
+                                                                          : r.reason;
 }
 
-json solvers_json(const ContactResult& result) {
-  return {{"normal", result.normal_solver},
-          {"tangential", result.tangential_solver},
-          {"outer_iterations", result.outer_iterations},
-          {"work", result.work},
-          {"outer_rate", result.outer_rate},
-          {"creepage_iterations", result.creepage_iterations},
-          {"normal_iterations", result.normal_iterations},
-          {"tangential_iterations", result.tangential_iterations},
-          {"remark", result.remark}};
+/// "certified: yes, ..."
+std::string certified_text(const SceneResult& r) {
+  const Certificate& c = r.result.certificate;
+  const std::string why = why_uncertified(r);
+  return fmt::format(
+      "certified: {}{}\n",
+      why.empty() ? fmt::format("yes, worst violation {:.1e} of {:.0e} allowed", c.worst(), c.tolerance)
+                  : "NO, " + why,
+      c.discretisation < 0 ? ""
+                           : fmt::format("; discretisation error about {:.1f} %", 100 * c.discretisation));
 }
 
 } // namespace
@@ -262,57 +160,10 @@ std::string reference_text(const SceneResult& r) {
                      fixed_text(r.reference.position.z, 3), fixed_text(degrees(r.reference.delta), 2));
 }
 
-json to_json(const SceneResult& r) {
-  const json all = quantities_json(quantities(), r);
-  json out = {{"program", provenance("bem_contact")},
-              {"commit", commit()},
-              {"model", name_of(r.model)},
-              {"reason", r.reason},
-              {"frame", {{"y", r.left ? "to the left" : "to the right"}, {"units", units_json(r)}}},
-              {"quantities", all},
-              {"converged", r.result.converged},
-              {"patches", patches_json(r)},
-              {"totals", some_of(all, {"Fx", "Fy", "Fz", "Mz", "Fs", "friction_power"})},
-              {"creepage_found", creepages_json(r.problem, r.result)},
-              {"other_laterals", r.found_lateral ? json(r.found_lateral->others) : json(nullptr)},
-              {"lateral_slope", r.found_lateral ? json(r.found_lateral->slope) : json(nullptr)},
-              {"free_rolling", free_rolling_json(r)},
-              {"history", history_json(r)},
-              {"extrapolated", extrapolated_json(r)},
-              {"approach_datum", r.approach_datum},
-              {"structure", structure_json(r.structure)},
-              {"why_no_errors", why_no_errors(r).empty() ? json(nullptr) : json(why_no_errors(r))},
-              {"converges_with_elements",
-               r.result.discretisation ? json(r.result.discretisation->converges) : json(nullptr)},
-              {"reference",
-               {{"s", r.reference.s},
-                {"y", r.reference.position.y},
-                {"z", r.reference.position.z},
-                {"delta", r.reference.delta}}},
-              {"grid", grid_json(r.problem)},
-              {"certificate", certificate_json(r.result.certificate)},
-              {"solvers", solvers_json(r.result)},
-              {"stresses", stresses_json(r.stresses)},
-              {"warnings", r.warnings},
-              {"seconds",
-               {{"geometry", r.seconds.geometry},
-                {"numbers", r.seconds.numbers},
-                {"solve", r.seconds.solve},
-                {"check", r.seconds.check},
-                {"estimate", r.seconds.estimate},
-                {"free_rolling", r.seconds.free_rolling},
-                {"search", r.seconds.search},
-                {"total", r.seconds.total}}}};
-  out.update(some_of(all, {"lateral", "xi", "approach", "pmax", "area", "adhesion_share"}));
-  for (const char* error : {"xi_error", "eta_error"})
-    out["creepage_found"][error] = all[error];
-  return out;
-}
-
 std::string to_text(const SceneResult& r) {
   const ContactResult& c = r.result;
   const double force = std::max({std::abs(c.Fx), std::abs(c.Fy), std::abs(c.Fz)});
-  std::string out = fmt::format("model: {} ({})\n", name_of(r.model), r.reason);
+  std::string out = fmt::format("model: {} ({})\n", name_of(r.model), reason_text(r));
   out += reference_text(r);
   out += r.result.patches.empty() ? "no contact: all forces are zero\n" : patches_text(r, force);
   out += totals_text(r, force);
@@ -324,12 +175,7 @@ std::string to_text(const SceneResult& r) {
   out += fmt::format("approach relative to {}\n", r.approach_datum);
   out += structure_text(r.structure);
   out += stresses_text(r.stresses);
-  const Certificate& certificate = c.certificate;
-  out += fmt::format("certificate: worst violation {:.1e} of {:.0e} allowed, {}", certificate.worst(),
-                     certificate.tolerance, certificate.holds() ? "holds" : "DOES NOT HOLD");
-  out += certificate.discretisation < 0
-             ? "\n"
-             : fmt::format("; discretisation error about {:.1f} %\n", 100 * certificate.discretisation);
+  out += certified_text(r);
   if (!r.result.remark.empty())
     out += fmt::format("solver: {}\n", r.result.remark);
   const PhaseSeconds& spent = r.seconds;

@@ -1,6 +1,5 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/output_names.hpp"
-#include "bem_contact/app/output/result_file.hpp"
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/app/sweep/sweep_journal.hpp"
 #include "bem_contact/app/sweep/sweep_output.hpp"
@@ -12,8 +11,9 @@
 #include "bem_contact/base/interrupt_note.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
-#include "bem_contact/influence/file_kinds.hpp"
-#include "bem_contact/influence/h5_table.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/sequence/result_file.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
 
 #include <CLI/CLI.hpp>
@@ -75,7 +75,11 @@ bool is_complete(const std::filesystem::path& output, const std::string& digest)
     throw InputError(fmt::format("The output '{}' exists and is not of this sweep", output.string()),
                      is("format", sweep_format) ? digest_changed : "it was not made by bem_contact sweep",
                      "Give another output, or remove the file.");
-  return top.attributes["missing"] == H5Attribute(0.0) && top.attributes["died"] == H5Attribute(0.0);
+  const auto none = [&](const char* name) {
+    const auto found = top.datasets.find(name);
+    return found != top.datasets.end() && found->second.values == std::vector<double>{0};
+  };
+  return none("missing_count") && none("died_count");
 }
 
 CaseRecord solved(SweepSolver& solver, const SweepFile& sweep, std::size_t index,
@@ -84,7 +88,7 @@ CaseRecord solved(SweepSolver& solver, const SweepFile& sweep, std::size_t index
   SweepOptions options{.model = request.model, .strict = request.strict};
   if (sweep.fields)
     options.seen = [&](const std::string& group, const SceneResult& result) {
-      add_group(fields, group, to_case_table(result));
+      add_group(fields, group, record::to_h5(case_record(result)));
     };
   return {solve_case(solver, sweep, index, options), std::move(fields)};
 }
@@ -148,7 +152,7 @@ void write_file(const std::filesystem::path& file, const std::vector<std::filesy
       writer.add(group_of(record));
     });
   H5Table top = output.top();
-  add_scene(top, given, file);
+  add_group(top, "", record::to_h5(headed(sweep_format, given, file)));
   writer.add(top);
   writer.finish();
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
+#include "bem_contact/sequence/scene_record.hpp"
 
 #include <set>
 #include <string>

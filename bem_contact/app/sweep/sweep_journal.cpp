@@ -1,6 +1,7 @@
 #include "bem_contact/app/sweep/sweep_journal.hpp"
+#include "bem_contact/app/output/output_names.hpp"
 
-#include "bem_contact/app/output/scene_record.hpp"
+#include "bem_contact/sequence/scene_record.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -3,7 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/schema_text.hpp"
-#include "bem_contact/influence/file_kinds.hpp"
+#include "bem_contact/record/file_kinds.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -124,11 +124,11 @@ H5Table SweepOutput::top() const {
   auto& a = table.attributes;
   a["format"] = std::string(sweep_format);
   a["digest"] = digest_;
-  a["cases"] = static_cast<double>(n);
   for (std::size_t s = 0; s < EnumNames<CaseStatus>::names.size(); ++s) {
     std::string name(EnumNames<CaseStatus>::names[s]);
     std::ranges::replace(name, ' ', '_');
-    a[name] = static_cast<double>(count(static_cast<CaseStatus>(s)));
+    table.datasets[name + "_count"] = {
+        {}, {static_cast<double>(count(static_cast<CaseStatus>(s)))}, "1", "cases of this status", true};
   }
   return table;
 }

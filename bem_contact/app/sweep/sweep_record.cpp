@@ -13,24 +13,25 @@ using nlohmann::json;
 json table_to_json(const H5Table& table) {
   json datasets = json::object(), attributes = json::object();
   for (const auto& [name, d] : table.datasets)
-    datasets[name] = {d.shape, d.values, d.unit, d.description};
+    datasets[name] = {d.shape, d.values, d.unit, d.description, d.whole};
   for (const auto& [name, value] : table.attributes)
     std::visit([&, &key = name](const auto& v) { attributes[key] = v; }, value);
   json texts = json::object();
   for (const auto& [name, t] : table.texts)
-    texts[name] = {t.text, t.description};
+    texts[name] = {t.text, t.description, t.lines};
   return {std::move(datasets), std::move(attributes), std::move(texts)};
 }
 
 H5Table table_from_json(const json& j) {
   H5Table table;
   for (const auto& [name, d] : j.at(0).items())
-    table.datasets[name] = {d.at(0), d.at(1), d.at(2), d.at(3)};
+    table.datasets[name] = {d.at(0), d.at(1), d.at(2), d.at(3), d.at(4)};
   for (const auto& [name, value] : j.at(1).items())
-    table.attributes[name] =
-        value.is_string() ? H5Attribute(value.get<std::string>()) : H5Attribute(value.get<double>());
+    table.attributes[name] = value.is_string()    ? H5Attribute(value.get<std::string>())
+                             : value.is_boolean() ? H5Attribute(value.get<bool>())
+                                                  : H5Attribute(value.get<double>());
   for (const auto& [name, t] : j.at(2).items())
-    table.texts[name] = {t.at(0), t.at(1)};
+    table.texts[name] = {t.at(0), t.at(1), t.at(2)};
   return table;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/influence/h5_table.hpp"
+#include "bem_contact/h5/table.hpp"
 #include "bem_contact/uses/sweep/sweep_case.hpp"
 
 #include <string>

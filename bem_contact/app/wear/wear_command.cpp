@@ -1,5 +1,4 @@
 #include "bem_contact/app/command.hpp"
-#include "bem_contact/app/output/error_text.hpp"
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/app/wear/wear_influence.hpp"
 #include "bem_contact/app/wear/wear_state.hpp"
@@ -9,6 +8,7 @@
 #include "bem_contact/base/file_lock.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/record/error_text.hpp"
 #include "bem_contact/scene/settings.hpp"
 #include "bem_contact/uses/wear/study.hpp"
 

@@ -1,12 +1,13 @@
 #include "bem_contact/app/wear/wear_state.hpp"
+#include "bem_contact/app/output/output_names.hpp"
 
-#include "bem_contact/app/output/csv.hpp"
-#include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
-#include "bem_contact/influence/file_kinds.hpp"
-#include "bem_contact/influence/h5_table.hpp"
+#include "bem_contact/record/csv.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/sequence/scene_record.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -20,27 +21,45 @@ namespace {
 constexpr const char *table_file = "wear.csv", *state_file = "wear.h5";
 
 /// All of the state: the last row of the history has what WearState holds beside it.
-H5Table table_of(const WearState& state, const std::string& digest) {
-  H5Table table;
-  for (const wear::WearColumn& column : wear::wear_columns())
-    table.datasets[column.name] =
-        H5Dataset::line(column.values(state.history), column.unit, column.description);
+record::Record record_of(const WearState& state, const std::string& digest) {
+  record::Record out = headed(wear_format);
+  out.add("digest", digest);
+  record::Table history = record::table_of("step", wear::wear_columns(), state.history);
+  for (record::Column& column : history.columns)
+    out.add(column.name, record::field(std::move(column.values), column.unit, column.meaning));
   const auto body = [&](const std::string& name, const wear::WornBody& worn) {
-    table.datasets[name + "/profile"] =
-        H5Dataset::points(worn.points, "worn profile (y, z), own frame, z down");
-    table.datasets[name + "/depth"] = H5Dataset::line(worn.depth, "mm", "taken off along the normals");
+    std::vector<double> points;
+    for (const Point2& p : worn.points)
+      points.insert(points.end(), {p.y, p.z});
+    out.add(name, record::Record{{"profile", record::field(std::move(points), "mm",
+                                                           "worn profile (y, z), own frame, z down",
+                                                           {worn.points.size(), 2})},
+                                 {"depth", record::field(worn.depth, "mm", "taken off along the normals")}});
   };
   body("rail", state.pair.rail);
   body("wheel", state.pair.wheel);
-  table.attributes["format"] = std::string(wear_format);
-  table.attributes["digest"] = digest;
-  return table;
+  return out;
 }
 
-wear::WornBody body_of(const H5Table& table, const std::string& name, const std::filesystem::path& file,
-                       double area) {
-  wear::WornBody out{.points = {}, .depth = dataset_of(table, name + "/depth", file).values, .area = area};
-  const std::vector<double>& points = dataset_of(table, name + "/profile", file, 2 * out.depth.size()).values;
+/// The numbers there. Throws InputError unless there are `count` (no count: one or more).
+std::span<const double> stored_values(const record::Record& stored, const std::string& name,
+                                      const std::filesystem::path& file,
+                                      std::optional<std::size_t> count = {}) {
+  const std::span<const double> values = record::values_at(stored, name);
+  if (values.empty() || values.size() != count.value_or(values.size()))
+    throw InputError(
+        fmt::format("The file '{}' is damaged", file.string()),
+        values.empty() ? fmt::format("it has no dataset '{}'", name)
+                       : fmt::format("its dataset '{}' has {} numbers, not {}", name, values.size(), *count),
+        "Copy it again from where it was whole, or make it again.");
+  return values;
+}
+
+wear::WornBody body_of(const record::Record& stored, const std::string& name,
+                       const std::filesystem::path& file, double area) {
+  const std::span<const double> depth = stored_values(stored, name + "/depth", file);
+  wear::WornBody out{.points = {}, .depth = {depth.begin(), depth.end()}, .area = area};
+  const std::span<const double> points = stored_values(stored, name + "/profile", file, 2 * out.depth.size());
   for (std::size_t i = 0; i < points.size(); i += 2)
     out.points.push_back({points[i], points[i + 1]});
   return out;
@@ -71,9 +90,10 @@ std::string step_file(std::string_view body, int step, std::string_view extensio
 void write_wear(const std::filesystem::path& folder, const std::string& digest, const WearState& state) {
   wear::write_profile(folder / step_file("rail", state.step(), "txt"), state.pair.rail.points);
   wear::write_profile(folder / step_file("wheel", state.step(), "txt"), state.pair.wheel.points);
-  write_whole(folder / table_file,
-              [&](std::ostream& out) { write_csv(out, wear::wear_columns(), state.history); });
-  write_h5(folder / state_file, table_of(state, digest));
+  write_whole(folder / table_file, [&](std::ostream& out) {
+    record::write_csv(out, record::table_of("step", wear::wear_columns(), state.history));
+  });
+  record::write_hdf5(folder / state_file, record_of(state, digest));
 }
 
 std::optional<WearState> read_wear(const std::filesystem::path& folder, const std::string& digest) {
@@ -89,19 +109,22 @@ std::optional<WearState> read_wear(const std::filesystem::path& folder, const st
     return std::nullopt;
   }
   const std::filesystem::path file = folder / state_file;
-  const H5Table table = read_h5(file);
-  if (text_attribute(table, "format") != wear_format || text_attribute(table, "digest") != digest)
+  const record::Record stored = record::read_hdf5(file);
+  if (kind_of(record::text_at(stored, "format").value_or("")) != kind_of(wear_format) ||
+      record::text_at(stored, "digest") != digest)
     refuse(digest_changed, "Give another folder, or remove it.");
   WearState state;
-  state.history.resize(dataset_of(table, "step", file).values.size());
-  for (const wear::WearColumn& column : wear::wear_columns()) {
-    const std::vector<double>& values = dataset_of(table, column.name, file, state.history.size()).values;
-    for (std::size_t i = 0; i < state.history.size(); ++i)
-      state.history[i].*column.member = values[i];
+  const std::size_t steps = stored_values(stored, "step", file).size();
+  for (std::size_t i = 0; i < steps; ++i) {
+    std::vector<double> values;
+    for (const auto& column : wear::wear_columns())
+      values.push_back(stored_values(stored, column.name, file, steps)[i]);
+    state.history.push_back(wear::wear_row(values));
   }
   const wear::WearRow& last = state.history.back();
-  state.pair = {body_of(table, "rail", file, last.rail_area), body_of(table, "wheel", file, last.wheel_area),
-                last.revolutions, last.smoothing, last.smoothed_off};
+  state.pair = {body_of(stored, "rail", file, last.rail_area),
+                body_of(stored, "wheel", file, last.wheel_area), last.revolutions, last.smoothing,
+                last.smoothed_off};
   return state;
 }
 

@@ -31,6 +31,7 @@ class Result:
     pmax: Final[float]
     area: Final[float]
     adhesion_share: Final[float]
+    T_gamma: Final[float]
     friction_power: Final[float]
     xi: Final[float]
     eta: Final[float]
@@ -74,6 +75,7 @@ class Result:
     pmax_error: Final[float | None]
     area_error: Final[float | None]
     adhesion_share_error: Final[float | None]
+    T_gamma_error: Final[float | None]
     friction_power_error: Final[float | None]
     xi_error: Final[float | None]
     eta_error: Final[float | None]
@@ -101,6 +103,8 @@ class Result:
     u_x: Final[_Array]
     u_s: Final[_Array]
     u_n: Final[_Array]
+    friction_work_density: Final[_Array]
+    friction_work: Final[_Array]
     work_rate: Final[_Array]
     element_power: Final[_Array]
     deformed_distance: Final[_Array]
@@ -116,11 +120,15 @@ class Result:
     # Trust.
     model: Final[str]
     reason: Final[str]
+    why_not_certified: Final[str]
     why_no_errors: Final[str]
     warnings: Final[list[str]]
     certified: Final[bool]
     converges_with_elements: Final[bool | None]
     seconds: Final[float]
+    def __getitem__(self, path: str) -> Any: ...
+    def save(self, file: str | PathLike[str]) -> None: ...
+    def report(self, page: str | PathLike[str]) -> None: ...
 
 class Sequence:
     def __init__(

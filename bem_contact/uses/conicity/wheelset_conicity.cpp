@@ -159,4 +159,18 @@ std::span<const ColumnOf<WheelsetConicity::Value>> conicity_columns() {
   return columns;
 }
 
+record::Record record_of(const WheelsetConicity& c, const WheelsetOnTrack& w) {
+  using record::Number;
+  const auto side = [](const std::string& rail, const std::string& wheel) {
+    return record::Record{{"rail", record::Text{rail}}, {"wheel", record::Text{wheel}}};
+  };
+  return {{"right", side(w.right_rail.name(), w.right_wheel.name())},
+          {"left", side(w.left_rail.name(), w.left_wheel.name())},
+          {"wheel_radius", Number{c.lengths.wheel_radius, "mm", "at the tape circle"}},
+          {"contact_distance", Number{c.lengths.contact_distance, "mm", "of the contact circles"}},
+          {"rolls", w.rolls},
+          {"function", record::table_of("lateral displacement", stand_columns(), c.stands)},
+          {"conicity", record::table_of("amplitude", conicity_columns(), c.values)}};
+}
+
 } // namespace bem_contact

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/base/column.hpp"
+#include "bem_contact/record/column.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 #include "bem_contact/uses/conicity/equivalent_conicity.hpp"
 #include "bem_contact/uses/conicity/rolling_radius.hpp"
@@ -54,5 +54,7 @@ WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplit
 std::span<const ColumnOf<WheelsetStand>> stand_columns();
 /// Columns over the amplitude; nan where there is no motion.
 std::span<const ColumnOf<WheelsetConicity::Value>> conicity_columns();
+/// What the conicity says at every door: the tables "function" and "conicity", and whose they are.
+record::Record record_of(const WheelsetConicity& conicity, const WheelsetOnTrack& wheelset);
 
 } // namespace bem_contact

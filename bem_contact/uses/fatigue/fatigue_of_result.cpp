@@ -189,4 +189,41 @@ std::span<const ColumnOf<CollectivePatch>> collective_columns() {
   return columns;
 }
 
+record::Record record_of(const Fatigue& f, const ContactGrid& grid) {
+  using record::Number;
+  const auto peak = [](const StressPeak& p, const char* meaning) {
+    return record::Record{{"stress", Number{p.stress, "MPa", meaning}},
+                          {"x", Number{p.x, "mm", "where that is, rolling direction"}},
+                          {"s", Number{p.s, "mm", "where that is, arc length along the rail"}},
+                          {"depth", Number{p.depth, "mm", "where that is, below the surface"}}};
+  };
+  record::Table patches = record::table_of("patch", patch_columns(), f.patches);
+  patches.layout = record::Layout::rows;
+  record::Record out{{"FI", record::Field{"1",
+                                          "mu used less k/p0 of each element; -0.5 outside the contact",
+                                          {std::size_t(grid.ms), std::size_t(grid.mx)},
+                                          f.element_index}},
+                     {"patches", std::move(patches)}};
+  if (f.peaks)
+    out.add("von_mises", peak(f.peaks->von_mises, "largest below the surface"))
+        .add("tresca", peak(f.peaks->tresca, "largest shear stress below the surface"));
+  return out;
+}
+
+record::Record record_of(const CollectiveFatigue& f, const FatigueProperties& properties) {
+  using record::Number;
+  return {
+      {"cases", Number{double(f.cases), "1", "of the collective", {}, true}},
+      {"beyond_surface_limit",
+       Number{double(f.beyond_surface), "1", "patches beyond the shakedown limit of the surface", {}, true}},
+      {"beyond_limit_below", Number{double(f.beyond_below),
+                                    "1",
+                                    "other patches beyond the shakedown limit below the surface",
+                                    {},
+                                    true}},
+      {"damage", Number{f.damage, "1", "of one passage, mean over the collective"}},
+      {"yield_shear", Number{properties.yield_shear, "MPa", "k, the yield stress in shear"}},
+      {"patches", record::table_of("patch of a case", collective_columns(), f.patches)}};
+}
+
 } // namespace bem_contact::fatigue

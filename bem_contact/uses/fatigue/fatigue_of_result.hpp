@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/base/column.hpp"
+#include "bem_contact/record/column.hpp"
 #include "bem_contact/uses/fatigue/stress_peaks.hpp"
 
 #include <atomic>
@@ -122,5 +122,9 @@ CollectiveFatigue fatigue_of(const SweepFile& sweep, const FatigueProperties& pr
 
 /// The numbers of a patch with those of its case, in the order of the outputs.
 std::span<const ColumnOf<CollectivePatch>> collective_columns();
+
+/// What fatigue says at every door: of one result, whose field "FI" it looks into, and of a collective.
+record::Record record_of(const Fatigue& fatigue, const ContactGrid& grid);
+record::Record record_of(const CollectiveFatigue& fatigue, const FatigueProperties& properties);
 
 } // namespace bem_contact::fatigue

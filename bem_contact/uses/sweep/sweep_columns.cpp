@@ -16,7 +16,7 @@ constexpr const char* of_model = "0 hertz, 1 halfspace, 2 tangent_plane, 3 fem; 
 /// Of a table of sequence/quantities.hpp.
 template <class Table> std::vector<SweepColumn> columns_of_table(const Table& table) {
   std::vector<SweepColumn> all;
-  with_errors(table, [&](const std::string& name, const QuantityUnit& unit, auto, const char* description) {
+  with_errors(table, [&](const std::string& name, const Unit& unit, auto, const char* description) {
     all.push_back({name, unit.text(), description});
   });
   return all;
@@ -29,16 +29,14 @@ std::vector<SweepColumn> columns_of_contacts() {
 }
 
 std::vector<SweepColumn> columns_of_wheelsets() {
-  std::vector<SweepColumn> all;
-  for (const WheelsetQuantity& q : wheelset_quantities())
-    all.push_back({q.name, q.unit, q.description});
+  std::vector<SweepColumn> all = columns_of_table(wheelset_quantities());
   for (const WheelSide side : both_sides) {
-    const auto add = [&](const char* name, const char* unit, const char* description) {
+    const auto add = [&](const char* name, const std::string& unit, const char* description) {
       all.push_back({fmt::format("{}_{}", name_of(side), name), unit,
                      fmt::format("{} wheel: {}", name_of(side), description)});
     };
     for (const WheelQuantity& q : wheel_quantities())
-      add(q.name, q.unit, q.description);
+      add(q.name, q.unit.rolling, q.meaning);
     add(model_column, "1", of_model);
   }
   all.push_back({"warning_count", "1", "warnings of both wheels"});
@@ -64,9 +62,7 @@ std::vector<double> summary_of(const SceneResult& result) {
 }
 
 std::vector<double> summary_of(const WheelsetResult& result) {
-  std::vector<double> values;
-  for (const WheelsetQuantity& q : wheelset_quantities())
-    values.push_back(q.value(result));
+  std::vector<double> values = values_of(wheelset_quantities(), result);
   for (const WheelSide side : both_sides) {
     for (const WheelQuantity& q : wheel_quantities())
       values.push_back(q.value(result.state, side));

@@ -45,7 +45,7 @@ constexpr ColumnSource sources[] = {
     {"reference_z", "reference_z", ScaleBy::length_range},
     {"reference_delta", "reference_delta", ScaleBy::angle_range},
     {"adhesion_share", "adhesion_share"},
-    {"friction_power", "friction_power"},
+    {"T_gamma", "T_gamma"},
     {"patch_count", "patch_count"},
     {"patch_semi_axis_a", "semi_axis_a", ScaleBy::largest, false, true},
     {"patch_semi_axis_b", "semi_axis_b", ScaleBy::largest, false, true},
@@ -59,12 +59,12 @@ constexpr ColumnSource sources[] = {
 Column column_of(const ColumnSource& source) {
   if (!source.patch) {
     const Quantity& q = quantity(source.of);
-    return {.name = source.name, .unit = q.unit.rolling, .description = q.description};
+    return {.name = source.name, .unit = q.unit.rolling, .description = q.meaning};
   }
   const PatchQuantity& q = named(patch_quantities(), source.of);
   return {.name = source.name,
           .unit = q.unit.rolling,
-          .description = fmt::format("of the patch with the largest force: {}", q.description)};
+          .description = fmt::format("of the patch with the largest force: {}", q.meaning)};
 }
 
 PointValues values_of(const SceneResult& r) {

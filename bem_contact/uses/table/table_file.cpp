@@ -2,8 +2,9 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/provenance.hpp"
-#include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/profile/messages.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/hdf5.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,9 @@
 namespace bem_contact::table {
 
 namespace {
+
+using record::Number;
+using record::Record;
 
 template <class Named> std::string names_of(const std::vector<Named>& all) {
   std::vector<std::string> names;
@@ -28,11 +32,51 @@ std::string held_of(const ContactTable& table) {
   return names_of(held);
 }
 
-/// One blank-separated list of names.
-std::vector<std::string> words(const H5Table& file, const char* attribute) {
-  std::istringstream in(std::get<std::string>(file.attributes.at(attribute)));
-  return {std::istream_iterator<std::string>(in), {}};
-}
+/// What is stored in a table's file. Its functions throw InputError for what is missing, or not as it must
+/// be.
+class Stored {
+public:
+  Stored(const Record& file, const std::filesystem::path& path) : file_(&file), path_(&path) {}
+
+  bool has(const std::string& name) const { return record::find(*file_, name) != nullptr; }
+  /// One blank-separated list of names.
+  std::vector<std::string> words(const std::string& name) const {
+    const auto text = record::text_at(*file_, name);
+    if (!text)
+      refuse(fmt::format("it has no text '{}'", name));
+    std::istringstream in{std::string(*text)};
+    return {std::istream_iterator<std::string>(in), {}};
+  }
+  double number(const std::string& name) const {
+    const auto value = record::number_at(*file_, name);
+    if (!value)
+      refuse(fmt::format("it has no number '{}'", name));
+    return *value;
+  }
+  /// No count: one or more.
+  const record::Field& field(const std::string& name, std::optional<std::size_t> count = {}) const {
+    const record::Content* content = record::find(*file_, name);
+    const auto* found = content ? std::get_if<record::Field>(content) : nullptr;
+    if (!found)
+      refuse(fmt::format("it has no dataset '{}'", name));
+    if (found->values.size() != count.value_or(std::max<std::size_t>(found->values.size(), 1)))
+      refuse(fmt::format("its dataset '{}' has {} numbers, not {}", name, found->values.size(),
+                         count ? fmt::format("{}", *count) : "one or more"));
+    return *found;
+  }
+  std::vector<double> values(const std::string& name, std::optional<std::size_t> count = {}) const {
+    const record::Field& all = field(name, count);
+    return {all.values.begin(), all.values.end()};
+  }
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw InputError(fmt::format("The file '{}' is damaged", path_->string()), why,
+                     "Copy it again from where it was whole, or make it again.");
+  }
+
+private:
+  const Record* file_;
+  const std::filesystem::path* path_;
+};
 
 /// Throws std::out_of_range if the lines of the last axis are none.
 void require_lines(const ContactTable& table) {
@@ -48,93 +92,111 @@ void require_lines(const ContactTable& table) {
     throw std::out_of_range(axis.name);
 }
 
-void require_finite(const H5Dataset& data, const std::string& name, const std::filesystem::path& file) {
-  if (!std::ranges::all_of(data.values, [](double value) { return std::isfinite(value); }))
-    throw InputError(fmt::format("The file '{}' is damaged", file.string()),
-                     fmt::format("its dataset '{}' has a number that is not finite", name),
-                     "Copy it again from where it was whole, or make it again.");
-}
-
-ContactTable table_of(const H5Table& file, const std::filesystem::path& path) {
-  const auto data = [&](const std::string& name, std::optional<std::size_t> count = {}) -> const H5Dataset& {
-    return dataset_of(file, name, path, count);
-  };
-  const auto number = [&](const char* name) { return std::get<double>(file.attributes.at(name)); };
+ContactTable table_of(const Stored& file) {
   ContactTable table;
-  for (const std::string& name : words(file, "axes")) {
-    const H5Dataset& axis = data("axes/" + name);
-    require_finite(axis, "axes/" + name, path);
-    table.axes.push_back({name, axis.unit, axis.description, axis.values});
-    if (const auto first = file.datasets.find("first/" + name); first != file.datasets.end())
-      table.axes.back().first.assign(first->second.values.begin(), first->second.values.end());
+  // Files before 0.2 call them axes and columns.
+  for (const std::string& name : file.words(file.has("axis_names") ? "axis_names" : "axes")) {
+    const record::Field& axis = file.field("axes/" + name);
+    if (!std::ranges::all_of(axis.values, [](double value) { return std::isfinite(value); }))
+      file.refuse(fmt::format("its dataset '{}' has a number that is not finite", name));
+    table.axes.push_back({name, axis.unit, axis.meaning, {axis.values.begin(), axis.values.end()}});
+    if (file.has("first/" + name)) {
+      const std::span<const double> first = file.field("first/" + name).values;
+      table.axes.back().first.assign(first.begin(), first.end());
+    }
     require_lines(table);
   }
-  const std::vector<std::string> held = words(file, "held");
-  for (const std::string& name : words(file, "columns")) {
-    const H5Dataset& values = data("values/" + name, table.size());
-    table.columns.push_back(
-        {name, values.unit, values.description, std::ranges::find(held, name) != held.end(),
-         data("scale/" + name, 1).values.front(), data("interpolation_error/" + name, 1).values.front(),
-         data("element_error/" + name, 1).values.front(), values.values});
+  const std::vector<std::string> held = file.words("held");
+  for (const std::string& name : file.words(file.has("column_names") ? "column_names" : "columns")) {
+    const record::Field& values = file.field("values/" + name, table.size());
+    table.columns.push_back({name,
+                             values.unit,
+                             values.meaning,
+                             std::ranges::find(held, name) != held.end(),
+                             file.number("scale/" + name),
+                             file.number("interpolation_error/" + name),
+                             file.number("element_error/" + name),
+                             {values.values.begin(), values.values.end()}});
   }
-  table.tolerance = number("tolerance");
-  table.solved = static_cast<std::size_t>(number("solved"));
-  table.checked = static_cast<std::size_t>(number("checked"));
-  if (file.datasets.contains("creep_scale/C11")) {
-    const std::vector<double>& c11 = data("creep_scale/C11").values;
-    table.scale = {data("creep_scale/log10_a_over_b", c11.size()).values, c11,
-                   data("creep_scale/C22", c11.size()).values, number("poisson")};
+  table.tolerance = file.number("tolerance");
+  table.solved = static_cast<std::size_t>(file.number("solved"));
+  table.checked = static_cast<std::size_t>(file.number("checked"));
+  if (file.has("creep_scale/C11")) {
+    const std::vector<double> c11 = file.values("creep_scale/C11");
+    table.scale = {file.values("creep_scale/log10_a_over_b", c11.size()), c11,
+                   file.values("creep_scale/C22", c11.size()), file.number("poisson")};
   }
   return table;
 }
 
+/// [n of the first axis][n of the second]...; [points] where axes are nested.
+std::vector<std::size_t> shape_of(const ContactTable& table) {
+  if (table.nested())
+    return {table.size()};
+  std::vector<std::size_t> shape;
+  for (const Axis& axis : table.axes)
+    shape.push_back(axis.points.size());
+  return shape;
+}
+
+/// What a creep table is scaled with.
+void add_scale(Record& out, const CreepScale& s) {
+  const auto line = [](const std::vector<double>& values, const char* meaning) {
+    return record::Field{"1", meaning, {values.size()}, values};
+  };
+  out.add("creep_scale", Record{{"log10_a_over_b", line(s.log10_a_over_b, "of the coefficients")},
+                                {"C11", line(s.c11, "Kalker's; xi' = G a b C11 xi / (3 mu N)")},
+                                {"C22", line(s.c22, "Kalker's; eta' = G a b C22 eta / (3 mu N)")}});
+  out.add("spin", std::string("phi' = G a b sqrt(C11 C22) R phi / (3 mu N), R = sqrt((a^2 + b^2)/2)"));
+  out.add("poisson", Number{s.poisson, "1", "Poisson's ratio of the pair"});
+  out.add("symmetry",
+          std::string("the sign of xi turns Fx; the signs of eta and phi together turn Fy and Mz"));
+}
+
 } // namespace
 
-H5Table to_h5(const ContactTable& table) {
-  H5Table out;
-  out.checksums = true;
-  std::vector<std::size_t> shape;
+Record record_of(const ContactTable& table) {
+  Record axes, first, values, interpolation, elements, scale;
   for (const Axis& axis : table.axes) {
-    shape.push_back(axis.points.size());
-    out.datasets["axes/" + axis.name] = H5Dataset::line(axis.points, axis.unit, axis.description);
+    axes.add(axis.name, record::Field{axis.unit, axis.description, {axis.points.size()}, axis.points});
     if (!axis.first.empty())
-      out.datasets["first/" + axis.name] =
-          H5Dataset::line({axis.first.begin(), axis.first.end()}, "1",
-                          "where the points begin that belong to each point before");
+      first.add(axis.name, record::field({axis.first.begin(), axis.first.end()}, "1",
+                                         "where the points begin that belong to each point before"));
   }
-  if (table.nested())
-    shape = {table.size()};
   for (const Column& c : table.columns) {
-    out.datasets["values/" + c.name] = {shape, c.values, c.unit, c.description};
-    out.datasets["interpolation_error/" + c.name] = H5Dataset::single(
-        c.interpolation_error, c.unit, "largest difference from a solution in the middle of any cell");
-    out.datasets["element_error/" + c.name] = H5Dataset::single(
-        c.element_error, c.unit, "largest error by the size of the elements that a point states");
-    out.datasets["scale/" + c.name] = H5Dataset::single(c.scale, c.unit, "what the tolerance is relative to");
+    values.add(c.name, record::Field{c.unit, c.description, shape_of(table), c.values});
+    interpolation.add(c.name, Number{c.interpolation_error, c.unit,
+                                     "largest difference from a solution in the middle of any cell"});
+    elements.add(c.name, Number{c.element_error, c.unit,
+                                "largest error by the size of the elements that a point states"});
+    scale.add(c.name, Number{c.scale, c.unit, "what the tolerance is relative to"});
   }
-  auto& a = out.attributes;
-  a["format"] = std::string(table_format);
-  a["program"] = provenance("bem_contact");
-  a["axes"] = names_of(table.axes);
-  a["columns"] = names_of(table.columns);
-  a["held"] = held_of(table);
-  a["interpolation"] = std::string(
-      "in each coordinate cubic, by the slopes of parabolas through three points; constant beyond the ends");
-  a["tolerance"] = table.tolerance;
-  a["points"] = static_cast<double>(table.size());
-  a["solved"] = static_cast<double>(table.solved);
-  a["checked"] = static_cast<double>(table.checked);
-  if (const auto& s = table.scale) {
-    out.datasets["creep_scale/log10_a_over_b"] =
-        H5Dataset::line(s->log10_a_over_b, "1", "of the coefficients");
-    out.datasets["creep_scale/C11"] = H5Dataset::line(s->c11, "1", "Kalker's; xi' = G a b C11 xi / (3 mu N)");
-    out.datasets["creep_scale/C22"] =
-        H5Dataset::line(s->c22, "1", "Kalker's; eta' = G a b C22 eta / (3 mu N)");
-    a["spin"] = std::string("phi' = G a b sqrt(C11 C22) R phi / (3 mu N), R = sqrt((a^2 + b^2)/2)");
-    a["poisson"] = s->poisson;
-    a["symmetry"] = std::string("the sign of xi turns Fx; the signs of eta and phi together turn Fy and Mz");
-  }
+  const auto count = [](std::size_t value, const char* meaning) {
+    return Number{static_cast<double>(value), "1", meaning, {}, true};
+  };
+  Record out{
+      {"axis_names", record::Text{names_of(table.axes)}},
+      {"column_names", record::Text{names_of(table.columns)}},
+      {"held", record::Text{held_of(table)}},
+      {"interpolation", record::Text{"in each coordinate cubic, by the slopes of parabolas through three "
+                                     "points; constant beyond the ends"}},
+      {"tolerance", Number{table.tolerance, "1", "of the interpolation, relative to each scale"}},
+      {"points", count(table.size(), "of the table")},
+      {"solved", count(table.solved, "contact problems, points between the points included")},
+      {"checked", count(table.checked, "of them, cells whose middle was solved to measure the error")},
+      {"axes", std::move(axes)},
+      {"first", std::move(first)},
+      {"values", std::move(values)},
+      {"interpolation_error", std::move(interpolation)},
+      {"element_error", std::move(elements)},
+      {"scale", std::move(scale)}};
+  if (table.scale)
+    add_scale(out, *table.scale);
   return out;
+}
+
+void write_table(const std::filesystem::path& file, const Record& head, const ContactTable& table) {
+  record::write_hdf5(file, Record(head).append(record_of(table)));
 }
 
 std::string to_text(const ContactTable& table) {
@@ -156,20 +218,20 @@ std::string to_text(const ContactTable& table) {
 }
 
 ContactTable read_table(const std::filesystem::path& file) {
-  const H5Table stored = read_h5(file);
-  const auto format = stored.attributes.find("format");
+  const H5Table read = read_h5(file);
+  const Record stored = record::from_h5(read);
+  const FileKind* kind = kind_of(record::text_at(stored, "format").value_or(""));
   try {
-    if (format != stored.attributes.end() && format->second == H5Attribute(std::string(table_format))) {
-      ContactTable table = table_of(stored, file);
-      if (!stored.checksums)
+    if (kind && kind == kind_of(table_format)) {
+      ContactTable table = table_of(Stored(stored, file));
+      if (!read.checksums)
         messages()->warn(
             "The table '{}' has no checksums (an earlier version made it, or it was written again) "
             "Whether a number in it has changed since cannot be known; make it again to know it.",
             file.string());
       return table;
     }
-  } catch (const std::out_of_range&) {       // an attribute is missing
-  } catch (const std::bad_variant_access&) { // or is of another kind
+  } catch (const std::out_of_range&) { // the lines of an axis do not fit
   }
   throw InputError(fmt::format("'{}' is no table", file.string()),
                    "it was not made by bem_contact table, or is damaged", "Make it again.");

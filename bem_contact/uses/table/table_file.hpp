@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/influence/h5_table.hpp"
+#include "bem_contact/record/record.hpp"
 #include "bem_contact/uses/table/contact_table.hpp"
 
 #include <filesystem>
@@ -8,20 +8,21 @@
 
 namespace bem_contact::table {
 
-/// The attribute "format" of a table's file.
-
-/// Datasets:
+/// What a table says at every door:
 ///     axes/NAME                 [n], with unit
 ///     first/NAME                [m + 1] of a nested axis (Axis::first), m: points of the axes before it
 ///     values/NAME               [n of the first axis][n of the second]..., with unit;
 ///                               [points] where axes are nested
-///     interpolation_error/NAME  scalar, largest found in the middle of any cell
-///     element_error/NAME        scalar, largest stated by a point; nan: not known
-///     scale/NAME                scalar, what the tolerance is relative to
+///     interpolation_error/NAME  largest found in the middle of any cell
+///     element_error/NAME        largest stated by a point; nan: not known
+///     scale/NAME                what the tolerance is relative to
 ///     creep_scale/log10_a_over_b, C11, C22   of a creep table
-/// Attributes: format, program, axes (their names in the order of the values' dimensions), columns, held,
-/// interpolation, tolerance, points, solved, checked; of a creep table poisson, spin and symmetry.
-H5Table to_h5(const ContactTable& table);
+/// and axis_names (in the order of the values' dimensions), column_names, held, interpolation, tolerance,
+/// points, solved, checked; of a creep table poisson, spin and symmetry. It looks into the table.
+record::Record record_of(const ContactTable& table);
+
+/// Writes it as HDF5, after `head`, which begins with the format (record/file_kinds.hpp).
+void write_table(const std::filesystem::path& file, const record::Record& head, const ContactTable& table);
 
 /// The same numbers as plain text, for languages in which HDF5 is a burden. Blanks separate:
 ///     bem_contact_table 3
@@ -32,7 +33,7 @@ H5Table to_h5(const ContactTable& table);
 ///     log10(a/b) C11 C22                    (each point of the scale)
 std::string to_text(const ContactTable& table);
 
-/// Reads what to_h5() gives. Throws InputError for another file.
+/// Reads what write_table() wrote. Throws InputError for another file.
 ContactTable read_table(const std::filesystem::path& file);
 
 } // namespace bem_contact::table

@@ -55,9 +55,12 @@ double times_until(const std::vector<double>& now, const std::vector<double>& ra
   return std::max(0.0, least);
 }
 
-template <double WearRow::*member>
-constexpr WearColumn wear_column(const char* name, const char* unit, const char* description) {
-  return {{name, unit, description, [](const WearRow& row) { return row.*member; }}, member};
+/// In the order of wear_columns().
+constexpr double WearRow::*members[] = {&WearRow::step,       &WearRow::revolutions, &WearRow::mileage,
+                                        &WearRow::rail_depth, &WearRow::wheel_depth, &WearRow::rail_area,
+                                        &WearRow::wheel_area, &WearRow::smoothing,   &WearRow::smoothed_off};
+template <std::size_t which> double of_row(const WearRow& row) {
+  return row.*members[which];
 }
 
 } // namespace
@@ -185,19 +188,25 @@ void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& 
   }
 }
 
-std::span<const WearColumn> wear_columns() {
-  static constexpr WearColumn columns[] = {
-      wear_column<&WearRow::step>("step", "1", "of the study, 0: unworn"),
-      wear_column<&WearRow::revolutions>("revolutions", "1", "of the wheel so far"),
-      wear_column<&WearRow::mileage>("mileage", "km", "that the wheel has run so far"),
-      wear_column<&WearRow::rail_depth>("rail_depth", "mm", "largest depth gone from the rail"),
-      wear_column<&WearRow::wheel_depth>("wheel_depth", "mm", "largest depth gone from the wheel"),
-      wear_column<&WearRow::rail_area>("rail_area", "mm2", "gone from the rail's section"),
-      wear_column<&WearRow::wheel_area>("wheel_area", "mm2", "gone from the wheel's section"),
-      wear_column<&WearRow::smoothing>("smoothing", "mm", "shortest wavelength of the wear of this step"),
-      wear_column<&WearRow::smoothed_off>("smoothed_off", "1",
-                                          "what smoothing took of the deepest place of this step")};
+std::span<const ColumnOf<WearRow>> wear_columns() {
+  static constexpr ColumnOf<WearRow> columns[] = {
+      {"step", "1", "of the study, 0: unworn", of_row<0>},
+      {"revolutions", "1", "of the wheel so far", of_row<1>},
+      {"mileage", "km", "that the wheel has run so far", of_row<2>},
+      {"rail_depth", "mm", "largest depth gone from the rail", of_row<3>},
+      {"wheel_depth", "mm", "largest depth gone from the wheel", of_row<4>},
+      {"rail_area", "mm2", "gone from the rail's section", of_row<5>},
+      {"wheel_area", "mm2", "gone from the wheel's section", of_row<6>},
+      {"smoothing", "mm", "shortest wavelength of the wear of this step", of_row<7>},
+      {"smoothed_off", "1", "what smoothing took of the deepest place of this step", of_row<8>}};
   return columns;
+}
+
+WearRow wear_row(std::span<const double> values) {
+  WearRow row;
+  for (std::size_t i = 0; i < std::size(members); ++i)
+    row.*members[i] = values[i];
+  return row;
 }
 
 WearRow history_row(int step, const WornPair& pair, double wheel_radius) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/base/column.hpp"
+#include "bem_contact/record/column.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/uses/wear/kept_influence.hpp"
 #include "bem_contact/uses/wear/settings.hpp"
@@ -92,12 +92,10 @@ struct WearRow {
   double smoothing = 0, smoothed_off = 0;        ///< mm, 1; as WornPair
 };
 
-/// A column of wear.csv, a dataset of wear.h5, an array of Python's wear().
-struct WearColumn : ColumnOf<WearRow> {
-  double WearRow::*member; ///< where a row that is read has its value
-};
-/// All of them, in the order of the outputs.
-std::span<const WearColumn> wear_columns();
+/// The columns of wear.csv, the datasets of wear.h5, the arrays of Python's wear(), in this order.
+std::span<const ColumnOf<WearRow>> wear_columns();
+/// The row with these values of the columns.
+WearRow wear_row(std::span<const double> values);
 
 /// The row of a state after so many steps; the mileage is that of a wheel of this radius, mm.
 WearRow history_row(int step, const WornPair& pair, double wheel_radius);

@@ -59,16 +59,12 @@ template <Name name> double own_error(const State& s, WheelSide side) {
 /// The same with the unit and the description that it has there.
 template <Name name> WheelQuantity as_in_result() {
   const Quantity& q = quantity(name.text);
-  return {q.name, q.unit.rolling, q.description, own<name>, own_error<name>};
+  return {q.name, q.unit, q.meaning, own<name>, own_error<name>};
 }
 
 constexpr WheelsetQuantity of_wheelset[] = {
-    {"lateral", "mm", "lateral displacement, to the right",
-     [](const Result& r) { return r.state.pose.lateral; }},
-    {"lateral_error", "mm",
-     "estimated error of a lateral displacement that was found, by the size of the elements; nan: not known, "
-     "or given",
-     [](const Result& r) { return r.lateral_error; }},
+    {"lateral", "mm", "lateral displacement, to the right; its error: of one that was found",
+     [](const Result& r) { return r.state.pose.lateral; }, [](const Result& r) { return r.lateral_error; }},
     {"vertical", "mm", "of the centre below wheel_radius above the rails",
      [](const Result& r) { return r.state.pose.vertical; }},
     {"roll", "rad", "right side down", [](const Result& r) { return r.state.pose.roll; }},
@@ -86,10 +82,9 @@ constexpr WheelsetQuantity of_wheelset[] = {
      [](const Result& r) { return r.state.sum().moment[2]; }},
     {"torque", "N mm", "that drives the axle against the forces on the rails",
      [](const Result& r) { return r.state.torque(r.state.sum()); }},
-    {"friction_power", "N", "dissipated per unit of rolled distance",
+    {"T_gamma", "N", "work of friction per unit of rolled distance",
      [](const Result& r) {
-       return own<"friction_power">(r.state, WheelSide::right) +
-              own<"friction_power">(r.state, WheelSide::left);
+       return own<"T_gamma">(r.state, WheelSide::right) + own<"T_gamma">(r.state, WheelSide::left);
      }},
     {"residual", "1", "of the equilibrium, over wheelset.force", [](const Result& r) { return r.residual; }},
     {"lateral_residual", "1", "of the lateral force, over wheelset.force; nan: not given",
@@ -130,8 +125,7 @@ const WheelQuantity of_wheel[] = {
     as_in_result<"area">(),
     {"patches", "1", "connected areas in contact", own<"patch_count">},
     as_in_result<"adhesion_share">(),
-    {"friction_power", "N", "dissipated per unit of rolled distance", own<"friction_power">,
-     own_error<"friction_power">},
+    {"T_gamma", "N", "work of friction per unit of rolled distance", own<"T_gamma">, own_error<"T_gamma">},
 };
 
 } // namespace
@@ -142,6 +136,19 @@ std::span<const WheelsetQuantity> wheelset_quantities() {
 
 std::span<const WheelQuantity> wheel_quantities() {
   return of_wheel;
+}
+
+record::Record record_of(const WheelsetResult& r, const RecordParts& parts) {
+  const auto wheel = [&](WheelSide side) {
+    return record::Record{{"track", record::numbers_of(wheel_quantities(), false, r.state, side)},
+                          {"result", record_of(r.state.solved(side), parts)}};
+  };
+  return {{"certified", r.state.certified()},
+          {"warnings", record::Texts{r.warnings, "one line for each"}},
+          {"wheelset", record::numbers_of(wheelset_quantities(), false, r)},
+          {"right", wheel(WheelSide::right)},
+          {"left", wheel(WheelSide::left)},
+          {"seconds", record::Number{r.seconds, "s", "wall clock"}}};
 }
 
 } // namespace bem_contact

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "bem_contact/base/column.hpp"
+#include "bem_contact/record/column.hpp"
+#include "bem_contact/sequence/result_record.hpp"
 #include "bem_contact/uses/wheelset/solve_wheelset.hpp"
 
 #include <span>
@@ -18,14 +19,12 @@ std::span<const WheelsetQuantity> wheelset_quantities();
 
 /// One number of each wheel. Place, inclination, radius and creepages are those of the patch that bears most.
 /// Errors are those that the wheel's own result states.
-struct WheelQuantity {
-  const char* name;                                                ///< as outputs have it
-  const char* unit;                                                ///< mm, N, MPa, rad
-  const char* description;                                         ///< for readers of a file
-  double (*value)(const WheelsetState&, WheelSide side);           ///< nan: not known
-  double (*error)(const WheelsetState&, WheelSide side) = nullptr; ///< null: it has none
-};
+using WheelQuantity = ColumnOf<WheelsetState, WheelSide>;
 /// All of them, in the order of the outputs.
 std::span<const WheelQuantity> wheel_quantities();
+
+/// What a wheelset says at every door: "wheelset/Fy", "right/track/Fy", and in "right/result" what the result
+/// of this wheel says, in the frame of its side.
+record::Record record_of(const WheelsetResult& result, const RecordParts& parts = {});
 
 } // namespace bem_contact

@@ -44,7 +44,7 @@ void answer(const std::filesystem::path& scenes) {
   const table::ContactTable creep = table::creep_table({.elements = 8});
   const double full_slip = 1; // t of creep_table.hpp
   print("full_slip_Fx", table::creep_point_solver(creep.scale.value(), 8)({0, full_slip, 0, 0}).values.at(0));
-  print("table_datasets", static_cast<double>(table::to_h5(creep).datasets.size()));
+  print("table_datasets", static_cast<double>(record_of(creep).entries().size()));
 }
 
 } // namespace

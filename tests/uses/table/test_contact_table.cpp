@@ -1,5 +1,6 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/influence/file_kinds.hpp"
+#include "bem_contact/h5/table.hpp"
+#include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/uses/table/refine.hpp"
 #include "bem_contact/uses/table/table_file.hpp"
 
@@ -203,13 +204,15 @@ TEST(Refine, SaysWhereTheToleranceIsNotMet) {
   EXPECT_THROW(refined([](const Point&) { return std::nan(""); }, {}), InputError);
 }
 
+const record::Record table_head{{"format", record::Text{table_format}}};
+
 /// A table is looked up for years: no bit of a number changes unseen. One without checksums is read, with a
 /// remark.
 TEST(TableFile, HasAChecksumForEachNumber) {
   const ContactTable t = refined(steep, {.tolerance = 0.1});
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / fmt::format("checked_{}.h5", getpid());
-  write_h5(file, to_h5(t));
+  write_table(file, table_head, t);
   std::ostringstream bytes;
   bytes << std::ifstream(file, std::ios::binary).rdbuf();
   const std::string whole = bytes.str();
@@ -227,7 +230,8 @@ TEST(TableFile, HasAChecksumForEachNumber) {
       for (int bit = 0; bit < 64; bit += 3)
         EXPECT_THROW(read_with(at + bit / 8, bit % 8), InputError) << bit;
     }
-  H5Table old = to_h5(t);
+  write_table(file, table_head, t);
+  H5Table old = read_h5(file);
   old.checksums = false;
   write_h5(file, old);
   testing::internal::CaptureStderr();
@@ -242,12 +246,37 @@ TEST(TableFile, HasAChecksumForEachNumber) {
   std::filesystem::remove(file);
 }
 
+/// Names of axes and columns were attributes called as the groups, and numbers were attributes.
+TEST(TableFile, OfAnEarlierVersionIsRead) {
+  const ContactTable t = refined(steep, {.tolerance = 0.1});
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / fmt::format("old_table_{}.h5", getpid());
+  write_table(file, table_head, t);
+  H5Table old = read_h5(file);
+  old.attributes["format"] = std::string("bem_contact table 3");
+  for (const char* names : {"axis_names", "column_names"})
+    old.attributes.erase(names);
+  old.attributes["axes"] = std::string("x y");
+  old.attributes["columns"] = t.columns[0].name;
+  for (const char* number : {"tolerance", "solved", "checked", "points"}) {
+    old.attributes[number] = old.datasets.at(number).values.front();
+    old.datasets.erase(number);
+  }
+  write_h5(file, old);
+  const ContactTable read = read_table(file);
+  EXPECT_EQ(read.axes[1].points, t.axes[1].points);
+  EXPECT_EQ(read.columns[0].values, t.columns[0].values);
+  EXPECT_EQ(read.solved, t.solved);
+  EXPECT_EQ(read.tolerance, t.tolerance);
+  std::filesystem::remove(file);
+}
+
 TEST(TableFile, IsReadAsItWasWritten) {
   ContactTable t = refined(steep, {.tolerance = 0.1});
   t.scale = {{-1, 0, 1}, {3, 4, 5}, {3.5, 4.5, 5.5}, 0.28};
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / fmt::format("table_{}.h5", getpid());
-  write_h5(file, to_h5(t));
+  write_table(file, table_head, t);
   const ContactTable read = read_table(file);
   EXPECT_EQ(read.axes[1].name, "y");
   EXPECT_EQ(read.axes[0].unit, "mm");
@@ -258,10 +287,10 @@ TEST(TableFile, IsReadAsItWasWritten) {
   EXPECT_EQ(read.solved, t.solved);
   ContactTable nested = nested_plane();
   refine(nested, solver_of(steep), {.tolerance = 0.1});
-  write_h5(file, to_h5(nested));
+  write_table(file, table_head, nested);
   EXPECT_EQ(read_table(file).axes[1].first, nested.axes[1].first);
   EXPECT_EQ(read_table(file).columns[0].values, nested.columns[0].values);
-  H5Table damaged = to_h5(nested);
+  H5Table damaged = read_h5(file);
   damaged.datasets["first/y"].values[1] += 1e6;
   write_h5(file, damaged);
   EXPECT_THROW(read_table(file), InputError);

@@ -210,7 +210,7 @@ TEST(Wheelset, StaysInTheMiddleUnderNoLateralForce) {
     EXPECT_EQ(r.state.pose.lateral, 0) << wheel;
     EXPECT_NEAR(r.state.pose.roll, 0, 1e-12) << wheel;
     EXPECT_GT(r.lateral_error, 0) << wheel;
-    EXPECT_EQ(of_wheelset(r, "lateral_error"), r.lateral_error);
+    EXPECT_EQ(named(wheelset_quantities(), "lateral").error(r), r.lateral_error);
   }
 }
 

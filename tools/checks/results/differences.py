@@ -34,14 +34,14 @@ def scales_of(record):
     length = math.sqrt(n.get("area") or 1.0) or 1.0
     return {"force": force, "moment": force * length, "length": length, "pressure": largest({"pmax"}, 1.0),
             "creepage": max(largest({"xi", "eta"}, 0.0), LEAST["creepage"]),
-            "power": max(largest({"friction_power"}, 0.0), LEAST["power"] * force),
+            "power": max(largest({"T_gamma"}, 0.0), LEAST["power"] * force),
             "approach": max(largest({"approach"}, 0.0), LEAST["approach"])}
 
 
 def scale_of(name, value, scales):
     last = name.split()[-1].removesuffix("_error")  # an error has the scale of what it is the error of
     kind = ("force" if last in FORCES else "moment" if last in MOMENTS else "creepage" if last in ("xi", "eta")
-            else "power" if last == "friction_power" else "pressure" if last == "pmax" else "approach" if last == "approach"
+            else "power" if last == "T_gamma" else "pressure" if last == "pmax" else "approach" if last == "approach"
             else "length" if last in LENGTHS else None)
     if kind:
         return scales[kind]

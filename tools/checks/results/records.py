@@ -22,8 +22,8 @@ from .inputs import ENVIRONMENT
 
 SWEPT_FIELDS = ("state", "p_n", "p_x", "p_s")  # of a sweep's case; a scene on its own keeps every field
 EFFORT = {"seconds", "cpu_seconds", "outer_iterations", "normal_iterations", "tangential_iterations", "certificate"}
-RENAMED = {"friction_power": "work_rate", "stresses/depth": "stresses/depths"}  # fields, since the first programs
-AS_BEFORE = {"patch_count": "patches", "warning_count": "warnings"}  # columns of a sweep, as stores have them
+RENAMED = {"friction_power": "T_gamma", "work_rate": "friction_work_density", "element_power": "friction_work",
+           "converged": "certified"}  # since 0.1
 MODELS = ("hertz", "halfspace", "tangent_plane", "fem")
 TIME_LIMIT = 900  # s, for one command
 
@@ -37,28 +37,27 @@ def record(status, numbers=None, words=None, effort=None, fields=None):
     return {"status": status, "numbers": numbers or {}, "words": words or {}, "effort": effort or {}, "fields": fields or {}}
 
 
+def now_called(numbers):
+    """Numbers under the names of today."""
+    return {RENAMED.get(name.removesuffix("_error"), name.removesuffix("_error")) + "_error" * name.endswith("_error"): value
+            for name, value in numbers.items() if not isinstance(value, dict)}
+
+
 def json_record(result, fields):
-    """Of the JSON object that `solve --json` prints; see to_json() in bem_contact/app."""
-    numbers = dict(result["totals"])
-    numbers |= {key: result[key] for key in ("approach", "pmax", "area")}
-    numbers |= result["creepage_found"]
-    numbers["patches"] = len(result["patches"])
+    """Of the JSON object that `solve --json` prints; also of a program before 0.2."""
+    numbers = {name: value for name, value in now_called(result["quantities"]).items() if name not in EFFORT}
     for i, patch in enumerate(result["patches"], 1):
-        numbers |= {f"patch {i} {key}": value for key, value in patch.items()}
+        numbers |= {f"patch {i} {'overlap' if key == 'approach' else key}": value for key, value in now_called(patch).items()}
     for i, step in enumerate(result["history"], 1):
-        numbers |= {f"step {i} {key}": step[key] for key in ("Fx", "Fy", "Fz", "Mz", "Fs", "approach", "friction_power")}
-        numbers |= {f"step {i} {key}": value for key, value in step["creepage_found"].items()}
-        numbers[f"step {i} converged"] = float(step["converged"])
+        numbers |= {f"step {i} {key}": float(value) for key, value in now_called(step).items() if key not in EFFORT and value is not None}
     numbers |= {f"extrapolated {key}": value for key, value in (result["extrapolated"] or {}).items()}
-    numbers |= {f"reference {key}": value for key, value in result["reference"].items()}
-    numbers |= result["grid"]
-    numbers["discretisation"] = result["certificate"]["discretisation"]
-    words = {"model": result["model"], "reason": result["reason"], "warnings": "\n".join(result["warnings"]),
-             "normal solver": result["solvers"]["normal"], "tangential solver": result["solvers"]["tangential"],
-             "remark": result["solvers"]["remark"]}
-    effort = {key: value for key, value in result["solvers"].items() if key.endswith("iterations") or key == "work"}
-    effort["certificate"] = result["certificate"]["worst"]
-    good = result["certificate"]["holds"] and all(step["converged"] for step in result["history"])
+    solver = result.get("solver") or result["solvers"]
+    words = {"model": result["model"], "reason": result.get("why_this_model", result.get("reason")), "warnings": "\n".join(result["warnings"]),
+             "normal solver": solver["normal"], "tangential solver": solver["tangential"],
+             "remark": result.get("solver_note") or solver.get("remark", "")}
+    effort = {key: result["quantities"][key] for key in result["quantities"] if key in EFFORT} | {"work": solver["work"]}
+    good = result["certified"] if "certified" in result else \
+        result["certificate"]["holds"] and all(step["converged"] for step in result["history"])
     return record("certified" if good else "not certified", numbers, words, effort, fields)
 
 
@@ -77,7 +76,7 @@ def fields_of(group, wanted=lambda name: True):
     found = {}
 
     def keep(name, item):
-        if is_numbers(item) and wanted(name) and not name.startswith("quantities/"):
+        if is_numbers(item) and wanted(name) and not name.startswith(("quantities/", "seconds/", "solver/", "certificate/")):
             found[name_now(name)] = item[()]
 
     group.visititems(keep)
@@ -101,6 +100,13 @@ def compared(found):
     return {f"{path}/{model}": found[key][model] for key, path in sets.items() if found[key] for model in found["models"]}
 
 
+def group_of(file, name, result):
+    """Where a result lies in a file; before 0.2 the sets of a comparison had other names, and a result a group of its model."""
+    if name:
+        return file[name] if name in file else file["at_" + name]
+    return file[result["model"]] if result["model"] in file else file
+
+
 def solve_or_compare(program, folder, scene, arguments):
     """Records, {name: record}, of `solve` (one, "") or `compare` (each model at equal forces and at equal position)."""
     with tempfile.TemporaryDirectory() as scratch:
@@ -115,7 +121,7 @@ def solve_or_compare(program, folder, scene, arguments):
         with h5py.File(output) as file:
             top = {name: item[()] for name, item in file.items() if is_numbers(item)}
             for name, result in results.items():
-                records[name] = json_record(result, fields_of(file[name or result["model"]]) | top)
+                records[name] = json_record(result, fields_of(group_of(file, name, result)) | top)
                 records[name]["words"]["message"] = words_of(messages, folder)
                 records[name]["numbers"]["exit code"] = code
     return records
@@ -129,21 +135,13 @@ def case_record(row, group):
     for key, text in row.items():
         if key not in inputs | {"case", "status", "reason", "creepage_x", "creepage_s"}:
             value = MODELS.index(text) if text in MODELS else float(text) if text else None
-            (effort if key in EFFORT else numbers)[AS_BEFORE.get(key, key)] = value
-    if row.get("creepage_s"):
-        numbers["eta"] = float(row["creepage_s"])  # the part that was found, as the first programs had it
+            (effort if key in EFFORT else numbers)[RENAMED.get(key, key)] = value
     fields = {}
     if group is not None and row["status"] in ("certified", "not certified"):
-        models = [name for name, item in group.items() if isinstance(item, h5py.Group)]
-        for name in models:
-            fields |= fields_of(group[name], lambda field: field in SWEPT_FIELDS)
-            attributes = group[name].attrs
-            words["model"], words["model's reason"] = str(attributes["model"]), str(attributes["reason"])
-            if "Fs_N" in attributes:
-                numbers |= {"Fs": float(attributes["Fs_N"]), "friction_power": float(attributes["friction_power"]),
-                            "xi": float(attributes["creepage_found_x"]), "eta": float(attributes["creepage_found_s"])}
-            else:
-                numbers["xi"] = float(row["creepage_x"])
+        insides = [group] if "p_n" in group else [item for item in group.values() if isinstance(item, h5py.Group)]
+        for inside in insides:  # one; of a wheelset two
+            fields |= fields_of(inside, lambda field: field in SWEPT_FIELDS)
+    words["model"] = row.get("model", "")
     return record(row["status"], numbers, words, effort, fields)
 
 

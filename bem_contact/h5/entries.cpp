@@ -1,0 +1,193 @@
+#include "bem_contact/h5/entries.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/h5/attributes.hpp"
+#include "bem_contact/h5/dataset.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace bem_contact {
+
+namespace {
+
+/// Text (fixed or variable length) or number; nothing for any other attribute. False where it cannot be read.
+bool read_attribute(hid_t object, const std::string& name, const std::string& key, H5Table& table) {
+  const H5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
+  const H5Handle type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
+  if (attribute < 0 || type < 0 || space < 0)
+    return false;
+  if (H5Sget_simple_extent_npoints(space) != 1)
+    return true;
+  const H5T_class_t kind = H5Tget_class(type);
+  if (kind == H5T_STRING) {
+    auto text = read_text(attribute);
+    if (text)
+      table.attributes[key] = std::move(*text);
+    return text.has_value();
+  }
+  if (kind != H5T_FLOAT && kind != H5T_INTEGER)
+    return true;
+  double value = 0;
+  const bool read = H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) >= 0;
+  if (kind == H5T_INTEGER && H5Tget_size(type) == 1)
+    table.attributes[key] = value != 0;
+  else
+    table.attributes[key] = value;
+  return read;
+}
+
+bool find_attributes(hid_t object, std::vector<std::string>& names) {
+  const auto add = [](hid_t, const char* name, const H5A_info_t*, void* data) -> herr_t {
+    static_cast<std::vector<std::string>*>(data)->emplace_back(name);
+    return 0;
+  };
+  return H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, add, &names) >= 0;
+}
+
+/// "" where there is no such text. False where it cannot be read.
+bool read_text_attribute(hid_t object, const std::string& name, std::string& text) {
+  H5Table one;
+  const htri_t there = H5Aexists(object, name.c_str());
+  const bool read = there == 0 || (there > 0 && read_attribute(object, name, name, one));
+  text = text_attribute(one, name);
+  return read;
+}
+
+/// A dataset of one text of fixed length; false where it cannot be read. Any other text is passed over.
+bool read_text_dataset(hid_t set, const std::string& path, H5Table& table) {
+  const H5Handle space(H5Dget_space(set), H5Sclose), type(H5Dget_type(set), H5Tclose);
+  if (H5Sget_simple_extent_npoints(space) != 1 || H5Tis_variable_str(type) > 0)
+    return true;
+  std::string text(H5Tget_size(type), '\0');
+  if (H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
+    return false;
+  text.erase(std::min(text.find('\0'), text.size()));
+  H5Text& stored = table.texts[path];
+  stored.text = std::move(text);
+  stored.lines = H5Aexists(set, "lines") > 0;
+  return read_text_attribute(set, "description", stored.description);
+}
+
+bool read_open_dataset(hid_t set, const std::string& path, H5Table& table) {
+  const H5Handle space(H5Dget_space(set), H5Sclose), type(H5Dget_type(set), H5Tclose);
+  const H5T_class_t kind = H5Tget_class(type);
+  if (kind == H5T_STRING)
+    return read_text_dataset(set, path, table);
+  H5Dataset& data = table.datasets[path];
+  if (kind != H5T_FLOAT && kind != H5T_INTEGER)
+    return true;
+  const int rank = H5Sget_simple_extent_ndims(space);
+  std::vector<hsize_t> shape(rank > 0 ? rank : 0);
+  if (rank > 0)
+    H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+  data.shape.assign(shape.begin(), shape.end());
+  data.whole = kind == H5T_INTEGER;
+  data.values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  const bool said = read_text_attribute(set, "unit", data.unit) &&
+                    read_text_attribute(set, "description", data.description);
+  table.checksums = table.checksums && (data.values.empty() || has_checksum(set));
+  return said && (data.values.empty() ||
+                  H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data()) >= 0);
+}
+
+} // namespace
+
+void check_writing(bool good, const std::filesystem::path& file, const std::string& what) {
+  if (!good)
+    throw Error("The file '" + file.string() + "' cannot be written", what,
+                "Check that its folder exists, that you may write there, and that the disk is not full.");
+}
+
+namespace {
+
+void write_texts(hid_t root, hid_t links, const H5Table& table, const std::filesystem::path& file) {
+  for (const auto& [name, data] : table.texts) {
+    const H5Handle type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
+    check_writing(H5Tset_size(type, data.text.size() + 1) >= 0 && H5Tset_cset(type, H5T_CSET_UTF8) >= 0, file,
+                  "text " + name);
+    const H5Handle set(H5Dcreate2(root, name.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT),
+                       H5Dclose);
+    check_writing(set >= 0 && H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.text.c_str()) >= 0,
+                  file, "text " + name);
+    check_writing(write_attribute(set, "description", data.description) &&
+                      (!data.lines || write_attribute(set, "lines", true)),
+                  file, "attribute description");
+  }
+}
+
+/// A single number lies in the dataset's header, which has a checksum; all others are one chunk with its own.
+bool ask_for_checksum(hid_t list, const std::vector<hsize_t>& shape) {
+  if (shape.empty())
+    return H5Pset_layout(list, H5D_COMPACT) >= 0;
+  return H5Pset_chunk(list, static_cast<int>(shape.size()), shape.data()) >= 0 &&
+         H5Pset_fletcher32(list) >= 0;
+}
+
+void write_numbers(hid_t root, hid_t links, const H5Table& table, const std::filesystem::path& file) {
+  for (const auto& [name, data] : table.datasets) {
+    const std::vector<hsize_t> shape(data.shape.begin(), data.shape.end());
+    const auto size =
+        std::accumulate(data.shape.begin(), data.shape.end(), std::size_t{1}, std::multiplies<>());
+    check_writing(size == data.values.size(), file, "the shape of " + name + " does not fit its values");
+    const H5Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    check_writing(!table.checksums || data.values.empty() || ask_for_checksum(list, shape), file,
+                  "the checksum of " + name);
+    const H5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
+    const H5Handle set(H5Dcreate2(root, name.c_str(), data.whole ? H5T_STD_I64LE : H5T_IEEE_F64LE, space,
+                                  links, list, H5P_DEFAULT),
+                       H5Dclose);
+    check_writing(set >= 0, file, "dataset " + name);
+    check_writing(data.values.empty() || H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                                                  data.values.data()) >= 0,
+                  file, "dataset " + name);
+    check_writing(write_attribute(set, "unit", data.unit), file, "attribute unit");
+    check_writing(write_attribute(set, "description", data.description), file, "attribute description");
+  }
+}
+
+void write_attributes(hid_t root, hid_t links, const H5Table& table, const std::filesystem::path& file) {
+  for (const auto& [path, value] : table.attributes) {
+    const auto slash = path.rfind('/');
+    const std::string group = slash == std::string::npos ? "/" : path.substr(0, slash);
+    const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+    if (group != "/" && H5Lexists(root, group.c_str(), H5P_DEFAULT) <= 0)
+      H5Handle(H5Gcreate2(root, group.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+    const H5Handle object(H5Oopen(root, group.c_str(), H5P_DEFAULT), H5Oclose);
+    check_writing(object >= 0, file, "group " + group);
+    const auto write = [&](const auto& text_or_number) {
+      return write_attribute(object, name.c_str(), text_or_number);
+    };
+    check_writing(std::visit(write, value), file, "attribute " + name);
+  }
+}
+
+} // namespace
+
+void write_entries(hid_t root, const H5Table& table, const std::filesystem::path& file) {
+  const H5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(links, 1);
+  write_texts(root, links, table, file);
+  write_numbers(root, links, table, file);
+  write_attributes(root, links, table, file);
+}
+
+bool read_dataset(hid_t root, const std::string& path, H5Table& table) {
+  const H5Handle set = open_dataset(root, path);
+  return set >= 0 && read_open_dataset(set, path, table);
+}
+
+bool read_attributes(hid_t root, const std::string& path, H5Table& table) {
+  const H5Handle group(H5Gopen2(root, path.c_str(), H5P_DEFAULT), H5Gclose);
+  std::vector<std::string> names;
+  bool read = group >= 0 && find_attributes(group, names);
+  for (const std::string& name : names)
+    read = read && read_attribute(group, name, path == "." ? name : path + "/" + name, table);
+  return read;
+}
+
+} // namespace bem_contact

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "bem_contact/h5/table.hpp"
+
+#include <filesystem>
+#include <string>
+
+/// Private to this room: the entries of an open file of result tables.
+namespace bem_contact {
+
+/// Throws Error if not `success`: `file` cannot be written.
+void check_writing(bool success, const std::filesystem::path& file, const std::string& what);
+
+/// Writes all datasets, texts and attributes; groups come into being with them. `file` is for messages.
+void write_entries(H5Id root, const H5Table& table, const std::filesystem::path& file);
+
+/// Adds the dataset at `path`, of numbers or one text, to `table`. False where HDF5 fails; throws what
+/// open_dataset() does.
+bool read_dataset(H5Id root, const std::string& path, H5Table& table);
+/// Adds the attributes of the group at `path`. False where HDF5 fails.
+bool read_attributes(H5Id root, const std::string& path, H5Table& table);
+
+} // namespace bem_contact

@@ -1,0 +1,29 @@
+#include "bem_contact/h5/handle.hpp"
+
+#include <hdf5.h>
+#include <type_traits>
+
+namespace bem_contact {
+
+static_assert(std::is_same_v<H5Id, hid_t> && std::is_same_v<int, herr_t>);
+
+namespace {
+
+/// Recursive, because writing a file makes an image of it first.
+std::recursive_mutex& one_at_a_time() {
+  static std::recursive_mutex mutex;
+  return mutex;
+}
+
+} // namespace
+
+QuietHdf5::QuietHdf5() : turn_(one_at_a_time()) {
+  H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+QuietHdf5::~QuietHdf5() {
+  H5Eset_auto2(H5E_DEFAULT, function_, data_);
+}
+
+} // namespace bem_contact

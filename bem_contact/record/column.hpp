@@ -1,0 +1,143 @@
+#pragma once
+
+#include "bem_contact/record/record.hpp"
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace bem_contact {
+
+/// What a difference between two values of a quantity is measured by (sequence/compare_quantities.hpp).
+enum class QuantityKind {
+  other,
+  force,
+  moment,
+  pressure,
+  temperature,
+  length,
+  angle,
+  area,
+  creepage,
+  power,
+  share,
+  count,
+  effort ///< how the solver went: may differ where the result is the same
+};
+
+/// The unit of a number. What is per unit of rolled distance in rolling has another unit in a shift.
+struct Unit {
+  const char* rolling;         ///< in steady rolling, and of a transient; mm, N, MPa, rad; "1": none
+  const char* shift = nullptr; ///< null: the same
+  QuantityKind kind = QuantityKind::other; ///< for comparisons
+
+  constexpr Unit(const char* all, const char* in_shift = nullptr, QuantityKind what = QuantityKind::other)
+      : rolling(all), shift(in_shift), kind(what) {}
+
+  /// That of a result.
+  const char* of(bool is_shift) const { return shift && is_shift ? shift : rolling; }
+  /// "1 (shift: mm)"
+  std::string text() const {
+    return shift ? std::string(rolling) + " (shift: " + shift + ")" : std::string(rolling);
+  }
+};
+
+/// What a function of a column takes: a result by reference, which patch by value.
+template <class T> using ColumnArgument = std::conditional_t<std::is_scalar_v<T>, T, const T&>;
+
+/// The column type of the project: one number of whatever `Of` is, with the name, the unit and the meaning
+/// that all outputs give it. A quantity of a result is a ColumnOf<SceneResult>, one of a patch a
+/// ColumnOf<SceneResult, std::size_t>.
+template <class... Of> struct ColumnOf {
+  const char* name; ///< in all outputs
+  Unit unit;
+  const char* meaning;                              ///< in a few words
+  double (*value)(ColumnArgument<Of>...);           ///< nan: not known, or there is none
+  double (*error)(ColumnArgument<Of>...) = nullptr; ///< in the same unit; null: none is stated
+  int digits = 9;                                   ///< that are worth printing
+
+  /// One value a row, of a column of one kind of row.
+  template <class Row> std::vector<double> values(std::span<const Row> rows) const {
+    std::vector<double> out;
+    out.reserve(rows.size());
+    for (const Row& row : rows)
+      out.push_back(value(row));
+    return out;
+  }
+  template <class Row> std::vector<double> values(const std::vector<Row>& rows) const {
+    return values(std::span<const Row>(rows));
+  }
+};
+
+/// The entry of a table with that name, which must be there.
+template <class Columns> constexpr const auto& named(const Columns& columns, std::string_view name) {
+  const auto found = std::ranges::find_if(columns, [&](const auto& column) { return name == column.name; });
+  return found != std::ranges::end(columns) ? *found
+                                            : throw std::out_of_range("there is no column of that name");
+}
+
+/// Lists the numbers of a table, and behind each its error, if it has one: use(name, unit, value, meaning),
+/// where `value` is the function of the column.
+template <class Columns, class Use> void with_errors(const Columns& columns, const Use& use) {
+  for (const auto& c : columns) {
+    use(std::string(c.name), c.unit, c.value, c.meaning);
+    if (c.error)
+      use(record::error_name(c.name), c.unit, c.error, record::error_meaning);
+  }
+}
+
+/// The numbers of a table in that order. `of`: what their functions take, as the result, and which patch.
+template <class Columns, class... Of> std::vector<double> values_of(const Columns& columns, const Of&... of) {
+  std::vector<double> values;
+  with_errors(columns, [&](const std::string&, const Unit&, auto value, const char*) {
+    values.push_back(value(of...));
+  });
+  return values;
+}
+
+namespace record {
+
+/// Every number of one thing.
+template <class Columns, class... Of>
+Record numbers_of(const Columns& columns, bool is_shift, const Of&... of) {
+  Record out;
+  for (const auto& c : columns)
+    out.add(c.name, Number{c.value(of...), c.unit.of(is_shift), c.meaning,
+                           c.error ? std::optional(c.error(of...)) : std::nullopt,
+                           c.unit.kind == QuantityKind::count});
+  return out;
+}
+
+/// A table of `count` rows. `of(value, i)` calls the function of a column for a row.
+template <class Columns, class Of>
+Table table_of(std::string row, const Columns& columns, std::size_t count, bool is_shift, const Of& of) {
+  Table out{std::move(row), {}, Layout::columns};
+  for (const auto& c : columns) {
+    const auto add = [&](std::string name, const char* meaning, auto value, int digits) {
+      Column& column = out.columns.emplace_back(Column{
+          std::move(name), c.unit.of(is_shift), meaning, {}, c.unit.kind == QuantityKind::count, digits});
+      column.values.reserve(count);
+      for (std::size_t i = 0; i < count; ++i)
+        column.values.push_back(of(value, i));
+    };
+    add(c.name, c.meaning, c.value, c.digits);
+    if (c.error)
+      add(error_name(c.name), error_meaning, c.error, 3);
+  }
+  return out;
+}
+
+/// A table with a row of each of these.
+template <class Columns, class Rows>
+Table table_of(std::string row, const Columns& columns, const Rows& rows, bool is_shift = false) {
+  return table_of(std::move(row), columns, rows.size(), is_shift,
+                  [&](auto value, std::size_t i) { return value(rows[i]); });
+}
+
+} // namespace record
+
+} // namespace bem_contact

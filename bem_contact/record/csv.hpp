@@ -1,0 +1,19 @@
+#pragma once
+
+#include "bem_contact/record/record.hpp"
+
+#include <iosfwd>
+#include <string>
+#include <string_view>
+
+/// Tables as CSV files have them: a head of names with units, then one line a row.
+namespace bem_contact::record {
+
+/// The head of a column: "Mz_Nmm" of the name "Mz" and the unit "N mm", without a unit the name alone.
+std::string csv_name(std::string_view name, std::string_view unit);
+/// A number with so many digits; an empty cell for nan.
+std::string csv_cell(double value, int digits);
+/// Head and rows. `digits`: at most so many of each number.
+void write_csv(std::ostream& out, const Table& table, int digits = 17);
+
+} // namespace bem_contact::record

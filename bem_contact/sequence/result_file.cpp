@@ -1,0 +1,44 @@
+#include "bem_contact/sequence/result_file.hpp"
+
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/sequence/result_record.hpp"
+
+#include <fmt/format.h>
+
+namespace bem_contact {
+
+namespace {
+
+/// Checksums of the profiles as curves, by which `repeat` knows whether a program makes others of the same
+/// file.
+record::Record geometry_of(const SceneResult& r) {
+  record::Record out;
+  const auto add = [&](const char* key, std::uint64_t digest) {
+    if (digest != 0)
+      out.add(key, fmt::format("{:016x}", digest));
+  };
+  add("rail", r.rail_geometry);
+  add("wheel", r.wheel_geometry);
+  return out;
+}
+
+} // namespace
+
+record::Record result_file(const SceneResult& result, const GivenScene& given,
+                           const std::filesystem::path& output) {
+  return headed(result_format, given, output).add("geometry", geometry_of(result)).append(record_of(result));
+}
+
+record::Record comparison_file(const Comparison& comparison, const GivenScene& given,
+                               const std::filesystem::path& output) {
+  return headed(comparison_format, given, output)
+      .add("geometry", geometry_of(comparison.leading().front()))
+      .append(record_of(comparison));
+}
+
+record::Record case_record(const SceneResult& result) {
+  return record::Record{{"format", record::Text{case_format}}}.append(
+      record_of(result, {.quantities = false}));
+}
+
+} // namespace bem_contact
