@@ -54,6 +54,7 @@ class Hostile(unittest.TestCase):
         self.assertRegex(message, GRAMMAR)
         self.assertNotIn("did not foresee", message)
         self.assertLess(len(message), 5000)
+        self.assertTrue(words and all(words), "which reason?")
         for word in words:
             self.assertIn(word, message)
 
@@ -112,7 +113,7 @@ class Keys(Hostile):
 
 
 class Texts(Hostile):
-    """What is no scene, through the program and C."""
+    """What is no scene, through C, or through the program where C's strings cannot hold it."""
 
     CASES = {
         "empty": ("", "load"), "no TOML": ("]]]", "not valid TOML"), "half a line": ("kind =", "not valid TOML"),
@@ -123,7 +124,7 @@ class Texts(Hostile):
         "list for a value": (toml_of(PATCH | {"load.force": 1}).replace("load.force = 1", "load.force = [1, 2]"),
                              "a list"),
         "date": (toml_of(PATCH).replace("load.force = 100000.0", "load.force = 2020-01-01"), "a date"),
-        "deep": ("a" + ".a" * 300 + " = 1\n", ""), "brackets": ("a = " + "[" * 20000, "TOML"),
+        "deep": ("a" + ".a" * 300 + " = 1\n", "unknown table"), "brackets": ("a = " + "[" * 20000, "TOML"),
         "two loads": (toml_of(PATCH | {"load.approach": 0.1}), "load.force is given too"),
         "no load": (toml_of({k: v for k, v in PATCH.items() if k != "load.force"}), "neither force nor approach"),
         "no friction": (toml_of(PATCH | {"motion.frictionless": False, "motion.friction": 0}), "zero friction"),
@@ -140,8 +141,8 @@ class Texts(Hostile):
         "rates without speed": (toml_of(WHEEL_RAIL | {"motion.yaw_rate": 1.0}), "motion.speed"),
         "steady steps": (toml_of(WHEEL_RAIL | {"motion.steps": 4}), "steady rolling has no steps"),
         "forces without friction": (toml_of(PATCH | {"load.force_x": 5.0}), "no shear force"),
-        "beyond elasticity": (toml_of(PATCH | {"load.force": 1e12}), ""),
-        "tiny elements": (toml_of(WHEEL_RAIL | {"grid.dx": 1e-6, "grid.ds": 1e-6}), ""),
+        "beyond elasticity": (toml_of(PATCH | {"load.force": 1e12}), "far beyond elastic contact"),
+        "tiny elements": (toml_of(WHEEL_RAIL | {"grid.dx": 1e-6, "grid.ds": 1e-6}), "too small for this contact"),
         "bracket alone": (toml_of(PATCH) + "[\ngap.c = 1\n", "not valid TOML"),
         "bracket in a table": (toml_of(PATCH) + "[sweep]\n[[\nload.force = [1e4]\n", "not valid TOML"),
         "long fraction": (toml_of(PATCH) + "gap.c = 1/" + "9" * 400 + "\n", "not valid TOML"),
@@ -162,20 +163,21 @@ class Texts(Hostile):
         for name, (text, words) in self.CASES.items():
             with self.subTest(name):
                 text = text.encode() if isinstance(text, str) else text
-                self.refused(doors.program("solve", self.write("scene.toml", text)), words)
                 if b"\0" not in text and b"\xff" not in text:
                     self.refused(self.c.text(text.decode()), words)
+                else:
+                    self.refused(doors.program("solve", self.write("scene.toml", text)), words)
 
     def test_sweeps(self):
         for name, (lines, words) in {
                 "single": ("load.force = 5", "a single value"), "empty": ("load.force = []", "empty"),
                 "unknown": ("load.forse = [1.0]", "load.force"), "endless": (
-                    "load.force = { from = 1, to = 1e9, step = 1e-9 }", ""),
-                "backwards": ("load.force = { from = 2, to = 1, step = 1 }", ""),
-                "no step": ("load.force = { from = 1, to = 2, step = 0 }", ""),
+                    "load.force = { from = 1, to = 1e9, step = 1e-9 }", "never ends"),
+                "backwards": ("load.force = { from = 2, to = 1, step = 1 }", "does not lead from 2 to 1"),
+                "no step": ("load.force = { from = 1, to = 2, step = 0 }", "a step of 0 does not lead"),
                 "mode": ('mode = "zig"\nload.force = [1.0]', "product"),
-                "unequal": ('mode = "zip"\nload.force = [1.0, 2.0]\nmotion.friction = [0.1]', ""),
-                "tables": ("load.force = [{}]", "no value"), "nothing": ("", "")}.items():
+                "unequal": ('mode = "zip"\nload.force = [1.0, 2.0]\nmotion.friction = [0.1]', "cannot be zipped"),
+                "tables": ("load.force = [{}]", "no value"), "nothing": ("", "describes no sweep")}.items():
             with self.subTest(name):
                 scene = self.write("sweep.toml", toml_of(PATCH) + f"[sweep]\n{lines}\n")
                 self.refused(doors.program("sweep", scene, "-o", self.folder / "out.h5"), words)
@@ -189,26 +191,29 @@ class Files(Hostile):
     def test_scenes(self):
         loop = self.folder / "loop.toml"
         loop.symlink_to("loop.toml")
-        for name, words in ((self.folder / "none.toml", "no such file"), (self.folder, "folder"), ("", ""),
-                            (loop, ""), ("x" * 5000, "")):
-            for command in ("solve", "compare", "check"):
-                with self.subTest(str(name)[:50] + command):
-                    self.refused(doors.program(command, name), words)
+        for name, words in ((self.folder / "none.toml", "no such file"), (self.folder, "folder"), ("", "no such file"),
+                            (loop, "no such file"), ("x" * 5000, "no such file")):
+            with self.subTest(str(name)[:50]):
+                self.refused(self.c.file(name), words)
+        for command in ("solve", "compare", "check"):
+            self.refused(doors.program(command, loop), "no such file")
 
     def test_profiles(self):
         line = "".join(f"{y} {0.001 * y * y}\n" for y in range(-35, 36))
         for name, text, words in (
-                ("empty", "", ""), ("one point", "0 0\n", ""), ("words", "a b\nc d\n", ""),
-                ("three columns", "1 2 3\n" * 9, "3 columns"), ("nan", line.replace("0.0 ", "nan ") + "nan nan\n", ""),
-                ("infinite", "inf 0\n" + line, "not a number"), ("huge numbers", "1e400 0\n" + line, ""),
-                ("same point", "1 1\n" * 100, ""), ("commas", line.replace(".", ","), ""),
-                ("tiny", "".join(f"{1e-3 * y} 0\n" for y in range(9)), ""),
-                ("wide", "".join(f"{100 * y} 0\n" for y in range(9)), ""), ("binary", bytes(range(256)) * 9, ""),
-                ("NUL", line + "\0\0\0\0", ""), ("zig-zag", "".join(f"{y} {(-1) ** y * 20}\n" for y in range(70)), ""),
+                ("empty", "", "has 0 points"), ("one point", "0 0\n", "has 1 point"),
+                ("words", "a b\nc d\n", "'c d' is not a point"),
+                ("three columns", "1 2 3\n" * 9, "3 columns"), ("nan", line + "nan nan\n", ":72: a coordinate is not a number"),
+                ("infinite", "inf 0\n" + line, "not a number"), ("huge numbers", line + "1e400 0\n", "'1e400 0' is not a point"),
+                ("same point", "1 1\n" * 100, "is 0 mm wide"), ("commas", line.replace(".", ","), "decimal commas"),
+                ("tiny", "".join(f"{1e-3 * y} 0\n" for y in range(9)), "is 0.008 mm wide"),
+                ("wide", "".join(f"{100 * y} 0\n" for y in range(9)), "is 800 mm wide"),
+                ("binary", bytes(range(256)) * 9, "it is no text"), ("NUL", line + "\0\0\0\0", "it is no text"),
+                ("zig-zag", "".join(f"{y} {(-1) ** y * 20}\n" for y in range(70)), "back and forth"),
                 ("ten million lines", "\n" * 10_000_001, "more than 10000000 points")):
             with self.subTest(name):
                 self.write("profile.txt", text)
-                self.refused(doors.program("check", self.scene(WHEEL_RAIL, rail__profile="profile.txt")), words)
+                self.refused(self.c.file(self.scene(WHEEL_RAIL, rail__profile="profile.txt")), words)
 
     def test_endless_files(self):
         zeros = self.folder / "zeros"
@@ -219,29 +224,32 @@ class Files(Hostile):
         for changes in ({"rail__profile": "zeros"}, {"wheel__profile": "zeros"}, {"motion__friction_table": "zeros"},
                         {"rail__influence": "zeros", "wheel__influence": "zeros", "solver__model": "fem"}):
             with self.subTest(changes):
-                self.refused(doors.program("solve", self.scene(WHEEL_RAIL, **changes)), "zeros")
+                self.refused(self.c.file(self.scene(WHEEL_RAIL, **changes)), "zeros")
         self.refused(doors.program("solve", zeros), "device")
-        self.refused(doors.program("info", zeros), "")
+        self.refused(doors.program("info", zeros), "a device")
         sparse = self.write("sparse.txt", "")
         os.truncate(sparse, 1 << 40)
-        self.refused(doors.program("check", self.scene(WHEEL_RAIL, rail__profile="sparse.txt")), "1000000000 bytes")
+        self.refused(self.c.file(self.scene(WHEEL_RAIL, rail__profile="sparse.txt")), "1000000000 bytes")
 
     def test_influence_files(self):
         good = (doors.SOURCE / "data" / "influence" / "small_rail.h5").read_bytes()
-        for name, data, words in (("empty", b"", ""), ("text", b"hello\n" * 99, ""), ("half", good[:len(good) // 2], ""),
-                                  ("short", good[:-1], ""), ("long", good + b"x", ""), ("seal", b"x" + good[1:], ""),
-                                  ("a byte", good[:5000] + bytes([good[5000] ^ 1]) + good[5001:], "")):
+        for name, data, words in (
+                ("empty", b"", "its first line is not"), ("text", b"hello\n" * 99, "its first line is not"),
+                ("half", good[:len(good) // 2], "is truncated"), ("short", good[:-1], "is truncated"),
+                ("long", good + b"x", "was altered"), ("seal", b"x" + good[1:], "its first line is not"),
+                ("a byte", good[:5000] + bytes([good[5000] ^ 1]) + good[5001:], "was altered")):
             self.write("broken.h5", data)
             scene = self.write("scene.toml", (SCENES / "conformal_small.toml").read_text().replace(
                 "../influence/small_rail.h5", "broken.h5").replace("../influence", str(SCENES.parent / "influence")))
             with self.subTest(name):
-                self.refused(doors.program("solve", scene), words)
-                self.refused(doors.program("info", self.folder / "broken.h5"), words)
+                self.refused(self.c.file(scene), words)
+                self.refused(doors.program("info", self.folder / "broken.h5"),
+                             {"empty": "not HDF5", "text": "not HDF5", "seal": "is not a file of this project"}.get(name, words))
                 self.refused(doors.program("influence", "expand", self.folder / "broken.h5", "--dx", "0.5", "--ds", "0.5",
                                            "--mx", "4", "--my", "4", "-o", self.folder / "out.h5"), words)
         pipe = self.folder / "pipe.h5"
         os.mkfifo(pipe)
-        self.refused(doors.program("info", pipe), "")
+        self.refused(doors.program("info", pipe), "a device")
 
     def test_tables(self):
         for name, text in (("empty", ""), ("header", "ix,is,h\n"), ("columns", "a,b,c\n1,2,3\n"),
@@ -250,9 +258,9 @@ class Files(Hostile):
             with self.subTest(name):
                 self.write("gap.csv", text)
                 scene = toml_of({k: v for k, v in PATCH.items() if not k.startswith("gap")} | {"gap.table": "gap.csv"})
-                self.refused(doors.program("solve", self.write("scene.toml", scene)), "gap")
-        self.refused(doors.program("solve", self.scene(PATCH, motion__frictionless=False,
-                                                       motion__friction_table="none.csv")), "no such file")
+                self.refused(self.c.file(self.write("scene.toml", scene)), "gap")
+        self.refused(self.c.file(self.scene(PATCH, motion__frictionless=False, motion__friction_table="none.csv")),
+                     "no such file")
 
 
 @unittest.skipUnless(doors.HAS_PYTHON, "the Python module is not built")
@@ -382,22 +390,25 @@ class CommandLine(Hostile):
         hertz = SCENES / "hertz.toml"
         small = doors.SOURCE / "data" / "influence" / "small_rail.h5"
         grid = ["--dx", "0.5", "--ds", "0.5", "--mx", "4", "--my", "4"]
-        for arguments in (["slove", hertz], [hertz], ["solve"], ["solve", hertz, "--modell", "fem"],
-                          ["solve", hertz, "--model", "femm"], ["solve", hertz, hertz], ["sweep", hertz], ["info"],
-                          ["--jsn"], ["influence"], ["influence", "expnd"], ["influence", "expand", small],
-                          ["sweep", hertz, "-o", "x.h5", "--jobs", "-1"], ["sweep", hertz, "-o", "x.h5", "--jobs", "1e9"],
-                          ["sweep", hertz, "-o", "x.h5", "--part", "0/3"], ["sweep", hertz, "-o", "x.h5", "--part", "x"],
-                          ["influence", "expand", small, *grid, "-o", "x.dat"],
-                          ["influence", "expand", small, *grid[2:], "--dx", "nan", "-o", "x.h5"],
-                          ["influence", "expand", small, *grid[2:], "--dx", "-1", "-o", "x.h5"],
-                          ["influence", "expand", small, *grid[:4], "--mx", "0", "--my", "4", "-o", "x.h5"],
-                          ["influence", "expand", small, *grid[:4], "--mx", "99999", "--my", "99999", "-o", "x.h5"],
-                          ["influence", "expand", small, *grid, "--centre", "1e9", "-o", "x.h5"]):
+        sweep = self.write("arguments.toml", toml_of(PATCH) + "[sweep]\nload.force = [1e5]\n")
+        for arguments, words in (
+                (["slove", hertz], "no command 'slove'"), ([hertz], "bem_contact solve"), (["solve"], "scene is required"),
+                (["solve", hertz, "--modell", "fem"], "no option '--modell'"), (["solve", hertz, "--model", "femm"], "femm"),
+                (["solve", hertz, hertz], "not expected"), (["sweep", sweep], "--output is required"),
+                (["info"], "file is required"), (["--jsn"], "no option '--jsn'"), (["influence"], "subcommand is required"),
+                (["influence", "expnd"], "influence --help"), (["influence", "expand", small], "--dx is required"),
+                (["sweep", sweep, "-o", "x.h5", "--jobs", "-1"], "--jobs"),
+                (["sweep", sweep, "-o", "x.h5", "--jobs", "1e9"], "--jobs"),
+                (["sweep", sweep, "-o", "x.h5", "--part", "0/3"], "0/3"),
+                (["sweep", sweep, "-o", "x.h5", "--part", "x"], "--part"),
+                (["influence", "expand", small, *grid, "-o", "x.dat"], "format of 'x.dat'"),
+                (["influence", "expand", small, *grid[2:], "--dx", "nan", "-o", "x.h5"], "nan is no finite number"),
+                (["influence", "expand", small, *grid[2:], "--dx", "-1", "-o", "x.h5"], "dx = -1"),
+                (["influence", "expand", small, *grid[:4], "--mx", "0", "--my", "4", "-o", "x.h5"], "mx = 0"),
+                (["influence", "expand", small, *grid[:4], "--mx", "99999", "--my", "99999", "-o", "x.h5"], "too large"),
+                (["influence", "expand", small, *grid, "--centre", "1e9", "-o", "x.h5"], "leaves the contact strip")):
             with self.subTest(arguments):
-                Hostile.count += 1
-                code, message = doors.program(*arguments, cwd=self.folder)
-                self.assertEqual(code, 2, message)
-                self.assertTrue(message.strip())
+                self.refused(doors.program(*arguments, cwd=self.folder), words)
         self.assertEqual([f for f in os.listdir(self.folder) if f.startswith("x.")], [])
 
 
