@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 
 namespace bem_contact {
@@ -12,7 +13,7 @@ namespace bem_contact {
 std::string duration_text(double seconds) {
   if (seconds < 100)
     return fmt::format("{:.1f} s", seconds);
-  const auto whole = static_cast<long>(seconds + 0.5);
+  const long whole = std::lround(seconds);
   return fmt::format("{}:{:02} min", whole / 60, whole % 60);
 }
 

@@ -85,7 +85,7 @@ KeptPair unworn_influence(const SceneFile& scene, const WornPair& unworn) {
   const auto kept = [&](const SceneFile::Side& side, ProfileKind kind, const WornBody& body) {
     if (side.influence.empty())
       return KeptInfluence{}; // the solution says what is missing
-    const KeptInfluence out{scene.folder / side.influence, body.points};
+    KeptInfluence out{scene.folder / side.influence, body.points};
     const ProfileCurve curve = named_profile(side.profile, kind, scene.folder, side.reading);
     require_profile(InfluenceFile(out.file).strip(), curve.name(), curve.digest());
     return out;
