@@ -155,6 +155,8 @@ TEST_F(CommandLine, CheckReadsItsSceneOnceSoItMayBeAPipe) {
   std::thread writer([&] { std::ofstream(pipe) << wheel_rail; });
   const Outcome r = run("check '" + pipe.string() + "'");
   writer.join();
+  EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("touch point"));
   EXPECT_EQ(r.out, run("check '" + file.string() + "'").out) << r.err;
 }
 
@@ -206,9 +208,11 @@ TEST_F(CommandLine, ACoarseGridSaysWhyThereAreNoErrors) {
 
 TEST_F(CommandLine, TextHasNoInsiderWordsAndNoSlipWithoutFriction) {
   const Outcome r = run("solve '" + write("s.toml", wheel_rail).string() + "' --model halfspace");
+  EXPECT_THAT(r.out, HasSubstr("Fz 10000.0 N"));
   for (const char* word : {"slip", "adhesion", "outer iterations"})
     EXPECT_THAT(r.out, ::testing::Not(HasSubstr(word)));
   const std::string influence = run("info " CONFORMAL_SOURCE_DIR "/data/influence/small_rail.h5").out;
+  EXPECT_THAT(influence, HasSubstr("rail 60E1"));
   for (const char* word : {"self number", "digest"})
     EXPECT_THAT(influence, ::testing::Not(HasSubstr(word)));
 }

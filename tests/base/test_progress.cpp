@@ -1,5 +1,4 @@
 #include "bem_contact/base/progress.hpp"
-#include "bem_contact/base/provenance.hpp"
 
 #include <gmock/gmock.h>
 
@@ -50,11 +49,6 @@ TEST(Progress, never_passes_its_total) {
   progress.step(5);
   progress.finish();
   EXPECT_THAT(out.str(), StartsWith("none: 1/1 "));
-}
-
-TEST(Provenance, says_program_and_version_and_nothing_else) {
-  EXPECT_EQ(provenance("fem_influence"), "fem_influence " + std::string(version()));
-  EXPECT_EQ(std::count(version().begin(), version().end(), '.'), 2);
 }
 
 } // namespace
