@@ -1,6 +1,7 @@
 """The installed tree: moved to another folder, found by CMake and pkg-config, used from C, C++, Fortran and Python."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -65,14 +66,16 @@ class Installed(unittest.TestCase):
         self.assertGreater(found["table_datasets"], 10)
 
     def test_cmake_refuses_another_version(self):
+        found = next(self.prefix.rglob("conformal_contact-config.cmake")).parent
         major, minor, patch = (int(part) for part in VERSION.split("."))
         for wanted in (f"{major + 1}.0", f"{major}.{minor + 1}", f"{major}.{minor}.{patch + 1}"):
             with tempfile.TemporaryDirectory() as other:
-                done = subprocess.run(["cmake", "-S", str(CLIENTS), "-B", other, "-Wno-dev",
-                                       f"-DCMAKE_PREFIX_PATH={self.prefix}", f"-DWANTED_VERSION={wanted}"],
+                (Path(other) / "CMakeLists.txt").write_text(  # without a language: none needs to be looked for
+                    f"cmake_minimum_required(VERSION 3.25)\nproject(other NONE)\nfind_package(conformal_contact {wanted} REQUIRED)\n")
+                done = subprocess.run(["cmake", "-S", other, "-B", f"{other}/build", f"-Dconformal_contact_DIR={found}"],
                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
             self.assertNotEqual(done.returncode, 0, wanted)
-            self.assertIn("conformal_contact", done.stdout)
+            self.assertRegex(done.stdout, f"conformal_contact-config.cmake, version: {re.escape(VERSION)}\n")
 
     def test_the_wheelset_of_the_examples(self):
         """A client that solves at each time step: tools/examples. It ends with 0 if the textbook's figures come out."""

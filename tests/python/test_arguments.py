@@ -1,5 +1,6 @@
 """What Python may hand over, and when: numbers of any type, dicts that hold themselves, names that are no UTF-8, the end of Python."""
 
+import itertools
 import os
 import subprocess
 import sys
@@ -36,10 +37,17 @@ class Numbers(unittest.TestCase):
 
     def alike(self, call, **values):
         """`values` are whole, and all types have them."""
+        self.same(call, values, [dict.fromkeys(values, kind) for kind in self.TYPES])
+
+    def alike_at_once(self, call, **values):
+        """As alike(), in one call of a function that takes long: each value has another type."""
+        self.same(call, values, [dict(zip(values, itertools.cycle(self.TYPES)))])
+
+    def same(self, call, values, types):
         expected = plain(call(**{name: float(value) for name, value in values.items()}))
-        for kind in self.TYPES:
-            with self.subTest(kind):
-                self.assertEqual(repr(plain(call(**{name: kind(value) for name, value in values.items()}))), repr(expected))
+        for kinds in types:
+            with self.subTest(kinds):
+                self.assertEqual(repr(plain(call(**{name: kinds[name](value) for name, value in values.items()}))), repr(expected))
 
     def test_wear_and_fatigue_of_a_result(self):
         result = bem_contact.solve(ROLLING)
@@ -57,9 +65,9 @@ class Numbers(unittest.TestCase):
             self.assertNotIn("its type is Result", str(caught.exception))
 
     def test_wear_and_fatigue_of_a_collective(self):
-        self.alike(lambda **n: bem_contact.wear(COLLECTIVE, law="archard", cap=0.5, body="wheel", **n), depth=1, hardness=100, speed=120,
-                   smoothing=3, passages=1, kept_turn=1)
-        self.alike(lambda **n: bem_contact.fatigue(COLLECTIVE, **n), yield_shear=100)
+        self.alike_at_once(lambda **n: bem_contact.wear(COLLECTIVE, law="archard", cap=0.5, body="wheel", **n), depth=1, hardness=100,
+                           speed=120, smoothing=3, passages=1, kept_turn=1)
+        self.alike_at_once(lambda **n: bem_contact.fatigue(COLLECTIVE, **n), yield_shear=100)
 
     def test_all_other_functions(self):
         self.alike(lambda **n: bem_contact.conicity(changes=PAIR, **n), to=4, step=2)
