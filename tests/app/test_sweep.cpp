@@ -5,6 +5,7 @@
 #include "bem_contact/base/said_by.hpp"
 #include "bem_contact/h5/table.hpp"
 #include "tests/app/run_program.hpp"
+#include "tests/sanitized.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -89,6 +90,7 @@ TEST_F(Sweep, EachCaseIsWhatSolveSaysOfIt) {
 }
 
 TEST_F(Sweep, ResultsDoNotDependOnTheNumberOfProcesses) {
+  NEEDS_NO_SANITIZER();
   ASSERT_EQ(sweep(cases, "--jobs 1").code, 0);
   const H5Table one = found(out());
   fs::remove(out());
@@ -97,6 +99,7 @@ TEST_F(Sweep, ResultsDoNotDependOnTheNumberOfProcesses) {
 }
 
 TEST_F(Sweep, KilledItGoesOnAndSolvesNothingTwice) {
+  NEEDS_NO_SANITIZER(); // the next test cuts the journal anywhere
   ASSERT_EQ(sweep(cases).code, 0);
   const H5Table whole = found(out());
   fs::remove(out());

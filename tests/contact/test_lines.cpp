@@ -1,5 +1,6 @@
 #include "bem_contact/contact/tangential/step_box.hpp"
 #include "tests/contact/scenes.hpp"
+#include "tests/sanitized.hpp"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +57,7 @@ TEST(Lines, StepsInSinglePrecisionHaveFiveDigits) {
 TEST(Lines, OfUnlikeRollersWithAForceTakeTheirTime) {
   std::mt19937 random(1);
   std::vector<double> work;
-  for (int k = 0; k < 40; ++k) {
+  for (int k = 0; k < tests::alike(40); ++k) {
     const ContactProblem problem = random_rollers(random);
     const ContactResult r = solve(problem, scenes::without_estimate);
     ASSERT_TRUE(r.converged) << k << ' ' << r.remark << r.certificate.worst();

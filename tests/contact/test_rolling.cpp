@@ -1,6 +1,7 @@
 #include "bem_contact/reference/creep_coefficients.hpp"
 #include "tests/contact/scenes.hpp"
 #include "tests/reference/rolling.hpp"
+#include "tests/sanitized.hpp"
 
 #include <gmock/gmock.h>
 
@@ -183,6 +184,7 @@ TEST(Rolling, EstimateOfPartialSlip) {
 /// Pure spin turns the longitudinal slip around between two rows: adhesion reaches into one of them from the
 /// leading edge, the farther in elements the smaller they are. Newton must not follow it element by element.
 TEST(Rolling, NewtonNeedsHardlyMoreStepsOnAFinerGrid) {
+  NEEDS_NO_SANITIZER();
   const auto steps = [](int ms) {
     const int mx = 2 * ms;
     ContactProblem problem =

@@ -6,6 +6,7 @@
 #include "bem_contact/influence/influence_file.hpp"
 #include "tests/contact/scenes.hpp"
 #include "tests/contact/textbook.hpp"
+#include "tests/sanitized.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -18,11 +19,7 @@
 namespace bem_contact {
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr int problem_count = 100; // of each kind of numbers: slow there
-#else
-constexpr int problem_count = 500;
-#endif
+constexpr int problem_count = tests::alike(500); // of each kind of numbers
 
 /// The same problems every time; RC_PARAMS="seed=7 max_success=10000" in the environment asks for others.
 const int parameters =

@@ -7,6 +7,7 @@
 #include "bem_contact/sequence/numbers/sequence_files.hpp"
 #include "bem_contact/sequence/plan/contact_case.hpp"
 #include "tests/base/message.hpp"
+#include "tests/sanitized.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +47,7 @@ TEST(FreeRolling, IsTheCreepageOfNoLongitudinalForce) {
 /// It ends where what is left is a tenth of its stated error, wherever it starts: near free rolling, driven,
 /// or where everything slips.
 TEST(FreeRolling, IsAsPreciseAsItsErrorOnManyScenes) {
+  NEEDS_NO_SANITIZER();
   for (const char* bodies :
        {"position.lateral = 0\nload.force = 8e4\n", "position.lateral = 3\nload.force = 3e4\n",
         "position.lateral = 6.6\nload.force = 1e5\nposition.yaw = 0.01\n",

@@ -7,6 +7,7 @@
 #include "bem_contact/sequence/lateral/settings.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "tests/base/message.hpp"
+#include "tests/sanitized.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -177,6 +178,7 @@ TEST(PrescribedLateralForce, FindsThePositionThatBearsIt) {
 }
 
 TEST(PrescribedLateralForce, ATreadWhoseForceSaysLittleIsFoundWithinTheStatedError) {
+  NEEDS_NO_SANITIZER();
   // With friction, forces on the tread lie within 500 N over 6 mm, and each has an error of some ten newtons.
   const auto finer = [](double lateral) {
     SceneFile scene = rolling_at(lateral, "position.cant = 0.025\n");

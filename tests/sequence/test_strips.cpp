@@ -7,6 +7,7 @@
 #include "bem_contact/profile/read_profile.hpp"
 #include "tests/base/temporary_folder.hpp"
 #include "tests/halfspace/strip_kernel.hpp"
+#include "tests/sanitized.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -113,6 +114,7 @@ TEST_F(GrooveStrips, WithoutFrictionCheckAndSolveAgreeAtEveryLoad) {
 
 /// Side creepage drives the contact along s, up to the end of the strip and away from the other.
 TEST_F(GrooveStrips, WhatCheckCallsCoveredSolveServes) {
+  NEEDS_NO_SANITIZER();
   int closely_refused = 0, closely_served = 0;
   for (const std::string model : {"fem", "auto"})
     for (const double load : loads)

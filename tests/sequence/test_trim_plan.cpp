@@ -8,6 +8,7 @@
 #include "bem_contact/sequence/solution/grow_grid.hpp"
 #include "bem_contact/sequence/solution/settings.hpp"
 #include "bem_contact/sequence/solution/solve_on_grid.hpp"
+#include "tests/sanitized.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -97,6 +98,7 @@ TEST(TrimPlan, TheContactIsThatOfTheWholeGrid) {
 }
 
 TEST(TrimPlan, ASecondAreaStays) {
+  NEEDS_NO_SANITIZER();
   const SceneFile scene = s1002_on_60e1(
       Model::tangent_plane,
       "position.lateral = 4.8\nposition.roll = 0.001\nload.force = 2.4e4\ngrid = { dx = 0.2, ds = 0.15 }\n");

@@ -89,10 +89,10 @@ function(conformal_test name)
   foreach(part ${parts})
     target_link_libraries(${part} PRIVATE conformal_options ${ARG_ROOMS} ${ARG_LIBRARIES}
                           conformal_test_options fmt::fmt GTest::gmock)
+    target_compile_definitions(${part} PRIVATE
+      CONFORMAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+      CONFORMAL_BINARY_DIR="${PROJECT_BINARY_DIR}")
   endforeach()
-  target_compile_definitions(${name} PRIVATE
-    CONFORMAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-    CONFORMAL_BINARY_DIR="${PROJECT_BINARY_DIR}")
   # COST: those with many sources take long and begin first, so that none runs alone at the end.
   list(LENGTH ARG_SOURCES cost)
   add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
