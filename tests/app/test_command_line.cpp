@@ -358,7 +358,7 @@ TEST_F(CommandLine, WrongArgumentsAreTwo) {
           {"error: The arguments cannot be used (scene is required) See bem_contact solve --help."});
   refused(run("solve x.toml --thread 3"), {"There is no option '--thread'", "Did you mean --threads?"});
   refused(run("influence expand --centr 3"), {"(bem_contact influence expand has others)", "--centre"});
-  refused(run("solve x.toml --threads 0"), {"(--threads: Value 0 not in range 1 to 64)"});
+  refused(run("solve x.toml --threads 0"), {"(--threads: Value 0 not in range ", "64"});
   refused(run("conicity --wheel S1002"), {"--rail is not given", "--rail 60E1"});
   refused(run("dissolve x.toml"), {"There is no command 'dissolve'", "Did you mean solve?"});
   const std::string scene = write("s.toml", hertz).string();
