@@ -10,8 +10,8 @@ namespace bem_contact {
 /// Temperatures of both surfaces under a moving source of heat on a half-space whose speed is so high that
 /// heat flows along the normal alone (Carslaw, Jaeger 1959, section 10.7; Peclet number V a / (2 chi) above
 /// some 10). The integral over each element is exact for heat that is constant on it, at the element's
-/// centre. THEORY.md, section 16. `heat`: per area and time, MPa mm/s (mW/mm^2); field. `in_contact`:
-/// elements where the surfaces touch; field. `speed`: mm/s.
+/// centre. theory/estimates_and_heat.md, section 3. `heat`: per area and time, MPa mm/s (mW/mm^2); field.
+/// `in_contact`: elements where the surfaces touch; field. `speed`: mm/s.
 SurfaceTemperatures flash_temperatures(const ContactGrid& grid, const Heating& heating, double speed,
                                        std::span<const double> heat, std::span<const char> in_contact);
 

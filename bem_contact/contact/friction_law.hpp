@@ -5,7 +5,7 @@
 namespace bem_contact {
 
 /// Coulomb's coefficient falls with the slip velocity w: mu(w) = mu(0) [ratio + (1 - ratio) exp(-w / scale)].
-/// THEORY.md, section 8.
+/// theory/contact.md, section 4.
 struct FallingFriction {
   double ratio = 1; ///< mu at high slip velocity over mu(0), in (0, 1]; 1: it does not fall
   double scale = 1; ///< slip velocity over which the difference falls to 1/e, mm/s

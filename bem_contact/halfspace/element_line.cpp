@@ -16,8 +16,8 @@ namespace {
 using Values = std::array<Real, 5>; ///< of the five kernels, in the order of Kernels
 
 /// Antiderivatives twice in X and twice in Y of the five kernels; polynomials that the second differences
-/// annihilate are left out (THEORY.md, section 4, has them one by one). They share their logarithms and their
-/// arctangent here: with r = |(x, y)|, asinh(x/|y|) = sign(x) ln((|x| + r)/|y|).
+/// annihilate are left out (theory/numbers.md, section 2, has them one by one). They share their logarithms
+/// and their arctangent here: with r = |(x, y)|, asinh(x/|y|) = sign(x) ln((|x| + r)/|y|).
 Values antiderivatives(Real x, Real y) {
   const Real ax = std::abs(x), ay = std::abs(y), r = std::sqrt(x * x + y * y);
   if (r == 0)

@@ -32,7 +32,7 @@ struct StripGrid {
 /// is 1.6 % too high at a half angle of 30 degrees and 5 % at 60. In three dimensions it is left out.
 ///
 /// If each row lies to the next as the first to the second, the result is translational in s.
-/// Source: THEORY.md, section 5. Throws InputError for an empty strip.
+/// Source: theory/numbers.md, section 3. Throws InputError for an empty strip.
 InfluenceNumbers tangent_plane_numbers(const Material& material, const StripGrid& grid,
                                        std::span<const ContactRow> rows);
 

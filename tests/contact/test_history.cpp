@@ -9,8 +9,8 @@
 namespace bem_contact {
 namespace {
 
-/// Carter's cylinders (bem_contact/THEORY.md 14): contact from -1 to 1 mm, one row so long that it is a
-/// plane problem.
+/// Carter's cylinders (bem_contact/theory/estimates_and_heat.md 4): contact from -1 to 1 mm, one row so long
+/// that it is a plane problem.
 constexpr double length = 4000, friction = 0.3, radius = 500, carter_creepage = 2.4e-4;
 const double normal_force = std::numbers::pi * 82000 / (4 * radius * (1 - 0.28)) * length;
 

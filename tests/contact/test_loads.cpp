@@ -7,7 +7,7 @@
 namespace bem_contact {
 namespace {
 
-/// Cattaneo's spheres with a = 1 mm (bem_contact/THEORY.md 14).
+/// Cattaneo's spheres with a = 1 mm (bem_contact/theory/estimates_and_heat.md 4).
 const Material soft{200, 0.42};
 constexpr double cattaneo_force = 9.1954, cattaneo_friction = 0.4;
 

@@ -106,8 +106,8 @@ TEST(Kernel, each_further_level_at_the_borders_takes_the_error_to_about_a_quarte
   EXPECT_LT(last, 4e-6);
 }
 
-/// Michell's modes of a disc or a bore under pressure p cos(n phi) (bem_contact/THEORY.md 14), with
-/// k = 0.
+/// Michell's modes of a disc or a bore under pressure p cos(n phi) (bem_contact/theory/estimates_and_heat.md
+/// 4), with k = 0.
 void check_michell(bool hole) {
   const Folder folder;
   const double radius = 10;

@@ -89,22 +89,22 @@ TEST(Rectangle, CentreOfASquareUnderPressure) {
 }
 
 TEST(Rectangle, PairOfEqualBodiesHasTheElementFormulas) {
-  // bem_contact/THEORY.md 4: u_x/p_x = (J1 + (1-nu) J2)/(pi G), u_n/p_n = (1-nu)(J1+J2)/(pi G),
+  // bem_contact/theory/numbers.md 2: u_x/p_x = (K1 + (1-nu) K2)/(pi G), u_n/p_n = (1-nu)(K1+K2)/(pi G),
   // u_x/p_s = -nu R/(pi G).
   const double a = 0.25, b = 0.1, x = 0.13, s = 0.42, nu = steel.poisson;
-  double j1 = 0, j2 = 0, radius = 0;
+  double k1 = 0, k2 = 0, radius = 0;
   for (const int p : {-1, 1})
     for (const int q : {-1, 1}) {
       const double px = x + p * a, ps = s + q * b;
-      j1 += p * q * ps * std::asinh(px / std::abs(ps));
-      j2 += p * q * px * std::asinh(ps / std::abs(px));
+      k1 += p * q * ps * std::asinh(px / std::abs(ps));
+      k2 += p * q * px * std::asinh(ps / std::abs(px));
       radius += p * q * std::hypot(px, ps);
     }
   const double c = 1 / (std::numbers::pi * steel.shear_modulus);
   const Matrix3 u = at_point(steel, x, s, a, b);
-  EXPECT_NEAR(2 * u[0][0], c * (j1 + (1 - nu) * j2), 1e-18);
-  EXPECT_NEAR(2 * u[1][1], c * (j2 + (1 - nu) * j1), 1e-18);
-  EXPECT_NEAR(2 * u[2][2], c * (1 - nu) * (j1 + j2), 1e-18);
+  EXPECT_NEAR(2 * u[0][0], c * (k1 + (1 - nu) * k2), 1e-18);
+  EXPECT_NEAR(2 * u[1][1], c * (k2 + (1 - nu) * k1), 1e-18);
+  EXPECT_NEAR(2 * u[2][2], c * (1 - nu) * (k1 + k2), 1e-18);
   EXPECT_NEAR(2 * u[0][1], -c * nu * radius, 1e-18);
 }
 

@@ -83,7 +83,7 @@ def code_verification(page, program, quick, say):
         log(element size) through all grids. Grids are chosen so that the border of the contact is not a border of elements.
         Sizes of areas change by jumps as whole elements enter or leave, so their order is not judged; nor is that of an error
         that changes its sign. The exact values come from `tools/verification/exact.py`, written from the formulas of
-        [bem_contact/THEORY.md](../bem_contact/THEORY.md#14-closed-forms) and not from the program.""")
+        [the theory](../bem_contact/theory/estimates_and_heat.md#4-closed-forms) and not from the program.""")
     chosen = closed_forms.studies(program)
     if quick:
         chosen = [s for s in chosen if s.name in ("Hertz, ellipse", "Persson, 30 degrees", "Carter")]
@@ -249,7 +249,7 @@ def model_limits(page, program, quick, say):
     page.text("""Half-space and tangent plane on a case that is exactly known, a pin in a hole (Persson 1964; plane strain, no
         friction, clearance 0.0002 mm on a radius of 10 mm): error of the largest pressure, and what `auto` predicts for the
         half-space from the turn of the normal. The prediction should not be below the error. The tangent plane is exact
-        here by its construction; for a ball in a seat and for rails it is not (bem_contact/THEORY.md, section 11).""")
+        here by its construction; for a ball in a seat and for rails it is not (bem_contact/theory/placing.md, section 2).""")
     say("limits of the models")
     rows = kernels.model_limits(program, quick)
     page.table(["half angle, degrees", "half-space", "predicted for it", "tangent plane", ""],

@@ -91,7 +91,7 @@ def stress_below(program):
 
 def studies(program):
     """Bars are errors allowed on the finest grid, and least orders of convergence."""
-    theory = "bem_contact/THEORY.md, section 14"
+    theory = "bem_contact/theory/estimates_and_heat.md, section 4"
     field = "pressure, r.m.s. difference"
     out = [
         Study("Hertz, ellipse", "Hertz 1882; Johnson 1985, eqs. 4.25 to 4.32", hertz_ellipse(program), (10, 20, 40, 80),

@@ -3,7 +3,7 @@
 The gap is measured from the rail's deformed surface, along its deformed normal, to the wheel's deformed surface; pressure acts
 along that normal, and the opposite force on the elements of the wheel which the normal meets. Displacements are linear in these
 tractions, by influence numbers of each body. Everything is symmetric in x; elements have x >= 0 and are counted [column][row].
-Signs and frames are those of bem_contact/THEORY.md, section 2: mm, N, MPa.
+Signs and frames are those of bem_contact/theory/contact.md, section 2: mm, N, MPa.
 """
 
 from dataclasses import dataclass
@@ -198,7 +198,7 @@ class DeformedContact:
 
 
 def plane_strain_numbers(rows, ds, shear, poisson, distance=40.0):
-    """Of a half-space in slices of plane strain, [4][I][i][J][j] (bem_contact/THEORY.md, section 4); columns do not meet."""
+    """Of a half-space in slices of plane strain, [4][I][i][J][j] (bem_contact/theory/numbers.md, section 2); columns do not meet."""
     step = np.arange(rows)[:, None] - np.arange(rows)[None, :]
 
     def mean(antiderivative):

@@ -65,7 +65,7 @@ def by_rows(numbers, ms):
 
 
 def tangent_plane_pair(mx, ms, dx, ds, rail, wheel, rows):
-    """A = (Q H + H Q)/2 (bem_contact/THEORY.md, section 5) on rows of y, z, delta; H of equal bodies at the chord's length."""
+    """A = (Theta H + H Theta)/2 (bem_contact/theory/numbers.md, section 3) on rows of y, z, delta; H of equal bodies at the chord's length."""
     out = np.empty((mx + 2, ms, 3, ms, 3))
     known = {}
     for i in range(ms):
@@ -100,7 +100,7 @@ def full_matrix(numbers, mx, ahead=0):
 
 
 def steady_matrix(numbers, mx):
-    """Slip of steady rolling: S = dx w - B p (bem_contact/THEORY.md, section 8)."""
+    """Slip of steady rolling: S = dx w - B p (bem_contact/theory/contact.md, section 4)."""
     return 1.5 * full_matrix(numbers, mx) - 2 * full_matrix(numbers, mx, 1) + 0.5 * full_matrix(numbers, mx, 2)
 
 

@@ -1,4 +1,4 @@
-"""Exact solutions, written from the formulas of bem_contact/THEORY.md, section 14, and of the sources named there.
+"""Exact solutions, written from the formulas of bem_contact/theory/estimates_and_heat.md, section 4, and of the sources named there.
 
 Nothing here comes from the program. Units: mm, N, MPa, rad.
 """

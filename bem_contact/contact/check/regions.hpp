@@ -44,7 +44,7 @@ struct Region {
   double friction_power = 0;             ///< N (shift: N mm)
   /// In steady rolling: the power that drives the bodies, sum (p_t w + p_n dh/dx) dS; w includes the
   /// creepages found. By conservation of energy it is the power of friction on elements of vanishing size
-  /// (THEORY.md, section 13). In other motions: the power of friction itself.
+  /// (theory/estimates_and_heat.md, section 2). In other motions: the power of friction itself.
   UncertainSum driving_power;
   double pmax = 0;      ///< MPa
   double curvature = 0; ///< at the peak: how far p_n falls to its neighbours, twice the mean

@@ -7,7 +7,7 @@
 namespace bem_contact::contact {
 namespace {
 
-/// K q of an element: THEORY.md, section 16. MPa sqrt(s)
+/// K q of an element: theory/estimates_and_heat.md, section 3. MPa sqrt(s)
 double heat_behind(const ContactProblem& problem, const std::vector<double>& heat, int element) {
   double sum = 0;
   const int columns = problem.grid.mx - element % problem.grid.mx;

@@ -7,8 +7,9 @@ namespace bem_contact::contact {
 
 // --- friction that falls with slip velocity or temperature ---
 
-/// Most iterations between mu and slip. A locomotive at 10 m/s (THEORY.md, section 8) takes 13 Newton steps
-/// in place of 4 where mu falls over 1250 mm/s, 80 over 10 mm/s, and may not settle over 5 mm/s and less.
+/// Most iterations between mu and slip. A locomotive at 10 m/s (theory/contact.md, section 4) takes 13 Newton
+/// steps in place of 4 where mu falls over 1250 mm/s, 80 over 10 mm/s, and may not settle over 5 mm/s and
+/// less.
 BEM_CONTACT_TUNED(int, most_friction_changes, 100);
 /// 1. Anderson's method takes no mu below this share of mu(0). Chosen: real laws stay above a tenth.
 BEM_CONTACT_TUNED(double, least_friction_factor, 1e-3);
