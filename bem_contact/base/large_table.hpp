@@ -15,7 +15,7 @@ inline constexpr std::size_t large_page = 2 << 20; ///< bytes
 void* allocate_table(std::size_t bytes);
 void free_table(void* table, std::size_t bytes) noexcept;
 
-/// Of the values of a LargeTable.
+/// Allocates the values of a LargeTable.
 template <class T> struct TableAllocator {
   using value_type = T;
   TableAllocator() = default;

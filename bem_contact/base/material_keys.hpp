@@ -11,7 +11,7 @@ namespace bem_contact {
 /// must live as long as the schema.
 void add_material(Schema& schema, const std::string& table, Material& material, double& young);
 
-/// After reading: sets the shear modulus where the file gives young. Throws InputError where it gives both.
+/// Sets the shear modulus after reading, where the file gives young. Throws InputError where it gives both.
 void settle_material(const Schema& schema, const std::string& table, Material& material, double young);
 
 } // namespace bem_contact

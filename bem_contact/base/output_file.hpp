@@ -64,7 +64,7 @@ private:
 /// Writes a WholeFile at once. A link is followed, and what it leads to is replaced. Throws InputError for a
 /// name that cannot be written to (output_target()), Error where writing fails, as on a full disk.
 void write_whole(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
-/// The same for text, which a stream takes too.
+/// Does the same for text, which a stream takes too.
 void write_text(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 
 } // namespace bem_contact

@@ -2,7 +2,7 @@
 
 namespace bem_contact {
 
-/// As in_parts(), for a body that is given by its address and a function that calls it.
+/// Does what in_parts() does, for a body that is given by its address and a function that calls it.
 void call_in_parts(int threads, int count, const void* body,
                    void (*call)(const void* body, int first, int end, int part));
 

@@ -16,9 +16,9 @@ std::string duration_text(double seconds);
 /// Steps may come from several threads.
 class Progress {
 public:
-  /// On standard error.
+  /// Reports on standard error.
   Progress(std::string label, std::size_t total);
-  /// On any stream, for tests and for programs that have their own.
+  /// Reports on any stream, for tests and for programs that have their own.
   Progress(std::string label, std::size_t total, std::ostream& out, bool terminal);
   ~Progress(); ///< ends the line where finish() was not called
   Progress(const Progress&) = delete;

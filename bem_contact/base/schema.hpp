@@ -120,7 +120,7 @@ public:
   /// (with the nearest names), wrong type, not finite, out of range, a key of another kind of file.
   void read(std::string_view toml, std::string_view source_name);
 
-  /// After read(): gives a key another value, as if line `line` of the file said so. Throws what read()
+  /// Gives a key another value after read(), as if line `line` of the file said so. Throws what read()
   /// would.
   void set(const std::string& path, const SchemaValue& value, int line);
   /// A number as the key takes it: whole for a key of whole numbers, true for 1 and false for 0 of a flag.
@@ -128,13 +128,13 @@ public:
   /// names.
   SchemaValue number_for(const std::string& path, double number) const;
 
-  /// For checks across keys, after read(): whether the file has the key, and InputError at its line.
+  /// Says after read() whether the file has the key. Checks across keys use it.
   bool has(std::string_view path) const { return lines_.contains(std::string(path)); }
   /// Whether the file gives the key another value than its default.
   bool changed(std::string_view path) const;
   [[noreturn]] void refuse(std::string_view path, std::string_view why, std::string_view what_to_do) const;
 
-  /// Of the key, "" for none and for a key that is not there.
+  /// Returns the unit of the key, "" for none and for a key that is not there.
   std::string unit(std::string_view path) const;
 
   /// Every key with its bound value, documented, as valid TOML. Commented out are keys of other kinds,
@@ -172,7 +172,7 @@ public:
   SchemaTable(Schema& schema, std::string name, std::vector<std::string> kinds = {})
       : schema_(schema), name_(std::move(name)), kinds_(std::move(kinds)) {}
 
-  /// As Schema::add().
+  /// Does what Schema::add() does.
   template <class Value> void add(const std::string& key, Value&& value, std::string doc, KeyRule rule = {}) {
     schema_.add(name_ + "." + key, std::forward<Value>(value), std::move(doc), of_kinds(std::move(rule)));
   }

@@ -14,11 +14,11 @@ inline constexpr std::size_t sha256_size = 64;
 
 /// SHA-256 of the pieces after each other.
 std::string sha256(std::initializer_list<std::span<const std::byte>> pieces);
-/// Of one text.
+/// Returns the SHA-256 of one text.
 std::string sha256(std::string_view text);
-/// Of all that follows in the stream.
+/// Returns the SHA-256 of all that follows in the stream.
 std::string sha256_of_rest(std::istream& in);
-/// Of a file of any size. Throws InputError where it cannot be read.
+/// Returns the SHA-256 of a file of any size. Throws InputError where it cannot be read.
 std::string sha256_of_file(const std::string& file);
 
 } // namespace bem_contact

@@ -15,7 +15,7 @@ namespace bem_contact {
 SurfaceTemperatures flash_temperatures(const ContactGrid& grid, const Heating& heating, double speed,
                                        std::span<const double> heat, std::span<const char> in_contact);
 
-/// The same of a result, heated by its friction. `problem` has speed and heating.
+/// Returns the temperatures of a result, heated by its friction. `problem` has speed and heating.
 SurfaceTemperatures flash_temperatures(const ContactProblem& problem, const ContactResult& result);
 
 } // namespace bem_contact

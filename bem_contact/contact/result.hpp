@@ -85,7 +85,8 @@ struct TotalErrors {
   double highest_rail_temperature = unknown_error, highest_wheel_temperature = unknown_error;
 };
 
-/// The same of the numbers of PatchSummary. nan too where the coarser elements have other patches.
+/// Holds the errors of the numbers of PatchSummary. They are nan too where the coarser elements have other
+/// patches.
 struct PatchErrors {
   double fn = unknown_error, fx = unknown_error, fs = unknown_error;           ///< N
   double fy = unknown_error, fz = unknown_error;                               ///< N
@@ -147,7 +148,8 @@ struct PatchSummary {
   Point2 position;                         ///< of that centre on the rows, frame of the rows, mm
   double delta = 0;                        ///< inclination there, rad
   double fy = 0, fz = 0;                   ///< on the rail, N, frame of the rows
-  /// On the rail about that centre, N mm: about x, and about the directions s and n there.
+  /// These are the moments on the rail about that centre, N mm: about x, and about the directions s and n
+  /// there.
   double moment_x = 0, moment_s = 0, moment_n = 0;
   double friction_power = 0; ///< as friction_power() of the whole result, N (shift: N mm)
   /// Semi-axes of the ellipse whose Hertzian pressure has the second moments of this pressure, mm: `a` of the
@@ -156,7 +158,7 @@ struct PatchSummary {
   double semi_axis_a = 0, semi_axis_b = 0, axis_angle = 0;
 };
 
-/// Of the surfaces of rail and wheel, degrees C; fields.
+/// Holds the temperatures of the surfaces of rail and wheel, degrees C; fields.
 struct SurfaceTemperatures {
   std::vector<double> rail, wheel; ///< of each surface
 
@@ -178,8 +180,8 @@ struct ContactResult {
   Displacements displacements;                     ///< empty unless SolverOptions::displacements
   std::optional<SurfaceTemperatures> temperatures; ///< where the problem has `heating`
   double approach = 0;                             ///< q, mm
-  /// On the rail, N, in the frame of the rows: the track frame of a wheel on a rail, a patch's own frame
-  /// (profile/contact_row.hpp).
+  /// These are the forces on the rail, N, in the frame of the rows: the track frame of a wheel on a rail, a
+  /// patch's own frame (profile/contact_row.hpp).
   double Fx = 0, Fy = 0, Fz = 0;
   double Mz = 0;                         ///< about the z axis of that frame, not about the contact, N mm
   double Fs = 0;                         ///< sum p_s cos(delta - reference_delta) dS, N
@@ -213,7 +215,7 @@ Tractions tractions_of(const ContactResult& result);
 /// p_x slip_x + p_s slip_s, the power that friction dissipates on each element per area and unit of rolled
 /// distance (shift: the work of the load step per area), MPa (shift: MPa mm); field. 0 without slip.
 std::vector<double> friction_power(const ContactResult& result);
-/// The same summed over all elements times their area (mm^2), N (shift: N mm).
+/// Returns the power of friction, summed over all elements times their area (mm^2), N (shift: N mm).
 double friction_power(const ContactResult& result, double element_area);
 
 /// Force along x, y, z and moment about them, at a point of the plane x = 0, of the tractions on these rows;

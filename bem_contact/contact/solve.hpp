@@ -45,7 +45,7 @@ public:
   Workspace(Workspace&&) noexcept;
   Workspace& operator=(Workspace&&) noexcept;
 
-  /// For the solvers: what is prepared from the influence numbers of this problem.
+  /// Returns to the solvers what is prepared from the influence numbers of this problem.
   contact::ContactOperators& of(const ContactProblem& problem);
 
   int threads() const;
@@ -64,7 +64,7 @@ private:
 /// if the work allowed is used up.
 ContactResult solve(const ContactProblem& problem, const SolverOptions& options = {});
 
-/// The same with a budget that all problems of one case (one scene) share.
+/// Does the same with a budget that all problems of one case (one scene) share.
 ContactResult solve(const ContactProblem& problem, const SolverOptions& options, WorkBudget& work);
 
 /// A creepage along x at which a contact in steady rolling bears no longitudinal force.

@@ -26,8 +26,8 @@ public:
     double x = 0;    ///< mm
     Point2 position; ///< (y, z), mm
   };
-  /// In walking order, from the field side to the flange: at most 0.1 mm of s apart. A node that begins a
-  /// stretch of its own has `joined` false.
+  /// Nodes lie in walking order, from the field side to the flange, at most 0.1 mm of s apart. A node that
+  /// begins a stretch of its own has `joined` false.
   struct Node : Point {
     Point2 tangent;     ///< of the profile, in its section
     bool joined = true; ///< to the node before it

@@ -26,7 +26,7 @@ struct TouchPoint {
 /// smallest distance is at the end of a profile or of the locus (a yaw too large for so steep a flange), and
 /// if there is no touch point.
 std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair);
-/// The same with the locus of the pair, which is lowered with the wheel.
+/// Does the same with the locus of the pair, which is lowered with the wheel.
 std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair, ContactLocus& locus);
 
 } // namespace bem_contact

@@ -7,7 +7,7 @@
 
 namespace bem_contact {
 
-/// Of the track, seen in the rolling direction.
+/// Says on which side of the track the wheel is, seen in the rolling direction.
 enum class WheelSide { right, left };
 
 /// Where a wheelset stands on its track, and where the rail under one of its wheels lies.
@@ -24,9 +24,9 @@ struct WheelsetPosition {
   /// Deviations of the rail from where gauge and cant put it: to the right, down, and turned right side
   /// down.
   double rail_lateral = 0, rail_vertical = 0, rail_roll = 0; ///< mm, mm, rad
-  /// Where the origin of a section is put, (y, z) in mm, for bodies without a gauge face or a flange. Rail:
-  /// in the track frame, instead of gauge and gauge_height. Wheel: y from the wheelset's centre, instead of
-  /// back_to_back; z below the height at which a wheel of wheel_radius has its tape circle.
+  /// This is where the origin of a section is put, (y, z) in mm, for bodies without a gauge face or a flange.
+  /// Rail: in the track frame, instead of gauge and gauge_height. Wheel: y from the wheelset's centre,
+  /// instead of back_to_back; z below the height at which a wheel of wheel_radius has its tape circle.
   std::optional<Point2> rail_origin = {};
   std::optional<Point2> wheel_origin = {}; ///< as rail_origin
 

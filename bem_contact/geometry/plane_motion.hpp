@@ -22,24 +22,24 @@ struct PlaneMotion {
   }
 };
 
-/// Where the bodies of a wheel on a rail go when their structures give way, seen from where the scene puts
-/// them. The wheel's axle stays: its rim moves against it.
+/// Says where the bodies of a wheel on a rail go when their structures give way, seen from where the scene
+/// puts them. The wheel's axle stays: its rim moves against it.
 struct StructuralPlacement {
   PlaneMotion rail, wheel;
   /// Then the wheel is moved along y, mm, so that it slides along the rail as the surfaces in contact do.
   double aside = 0;
-  /// After that it is lowered by this much until it touches again, mm.
+  /// After that the wheel is lowered by this much until it touches again, mm.
   double lowered = 0;
   /// The motions that influence numbers with structural compliance contain, each in its body's section. The
   /// bodies have already been placed by them, so they must not count again.
   PlaneMotion rail_in_numbers, wheel_in_numbers;
 
-  /// Of the wheel, after its structure's motion.
+  /// Returns the shift of the wheel after its structure's motion.
   Point2 wheel_by() const { return {aside, lowered}; }
 };
 
-/// By how much a motion within its section moves a point of a body's surface along its own tangent and into
-/// the body, mm: y and z of what is returned.
+/// Returns by how much a motion within its section moves a point of a body's surface along its own tangent
+/// and into the body, mm: y and z of what is returned.
 inline Point2 own_displacement(const PlaneMotion& motion, const CurvePoint& at) {
   const Point2 v = motion.displacement(at.position);
   return {dot(v, tangent_of(at.delta)), dot(v, normal_of(at.delta))};

@@ -20,7 +20,8 @@ public:
   struct Height {
     double z = 0, s = 0; ///< track frame; arc length on the rail, mm
   };
-  /// Nothing beyond its ends. `near`: the interval where the search starts and, afterwards, where it ended.
+  /// Returns the height at y, nothing beyond the ends of the rail. `near`: the interval where the search
+  /// starts and, afterwards, where it ended.
   std::optional<Height> at(double y, int& near) const;
 
 private:

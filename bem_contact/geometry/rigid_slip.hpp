@@ -33,9 +33,9 @@ struct RigidSlip {
   std::vector<double> x, s; ///< along x and s, [rows][x]
 };
 
-/// Of a rolling wheel. It moves along x with V and turns about its axle a (WheelFrame::axle, which points to
-/// the right) with omega = -V / R_roll, R_roll = rolling_radius / (1 - xi). With C any point of the axle, a
-/// point X of the wheel's surface moves over the rail with the velocity
+/// Returns the rigid slip of a rolling wheel. It moves along x with V and turns about its axle a
+/// (WheelFrame::axle, which points to the right) with omega = -V / R_roll, R_roll = rolling_radius / (1 -
+/// xi). With C any point of the axle, a point X of the wheel's surface moves over the rail with the velocity
 ///   v/V = e_x - a x (X - C) / R_roll,
 /// plus velocity + (roll e_forward + yaw e_z) x (X - centre of the wheelset), plus eta along the rail's
 /// tangent and phi about the rail's normal at the reference point, and slip_x. What moves along the normal is
@@ -50,13 +50,14 @@ RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, c
 /// this radius does not slide along x there. `x`, `point`: in the track frame, mm.
 double radius_at(const WheelOnRail& pair, double x, Point2 point);
 
-/// Of a wheel that is shifted and does not roll, mm: w_x = xi - phi s, w_s = (eta + phi x) cos(delta - delta
-/// of the reference point), xi, eta in mm and phi in rad, s along the tangent there, s and x from there.
+/// Returns the rigid shift of a wheel that does not roll, mm: w_x = xi - phi s, w_s = (eta + phi x) cos(delta
+/// - delta of the reference point), xi, eta in mm and phi in rad, s along the tangent there, s and x from
+/// there.
 RigidSlip rigid_shift(const ReferencePoint& reference, const Creepage& creepage,
                       std::span<const ContactRow> rows, std::span<const double> x);
 
-/// On a plane, where the contact lies at (x_of_contact, s = 0): w_x = xi - phi s, w_s = eta + phi (x -
-/// x_of_contact).
+/// Returns the rigid slip on a plane, where the contact lies at (x_of_contact, s = 0): w_x = xi - phi s, w_s
+/// = eta + phi (x - x_of_contact).
 RigidSlip planar_slip(const Creepage& creepage, std::span<const ContactRow> rows, std::span<const double> x,
                       double x_of_contact = 0);
 

@@ -12,7 +12,8 @@ namespace bem_contact {
 /// Undeformed distance given to an element whose normal misses the other body, mm: far beyond any approach.
 inline constexpr double excluded_gap = 100.0;
 
-/// Where the normal of a row meets the wheel at the x at which it is nearest: on the contact locus.
+/// Says where the normal of a row meets the contact locus, that is, the wheel at the x at which it is
+/// nearest.
 struct RowOnLocus {
   double distance = excluded_gap; ///< along the rail's normal, mm
   double x = 0;                   ///< mm

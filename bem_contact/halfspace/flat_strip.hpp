@@ -11,7 +11,7 @@ namespace bem_contact::halfspace {
 InfluenceNumbers numbers(const Material& material, double dx, double ds, int offsets, int rows,
                          LineStore* known = nullptr);
 
-/// The same in plane strain (plane_strain.hpp), with every pair of rows stored.
+/// Does the same in plane strain (plane_strain.hpp), with every pair of rows stored.
 InfluenceNumbers plane_strain_numbers(const Material& material, double ds, int rows,
                                       double reference_distance);
 

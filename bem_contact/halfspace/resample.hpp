@@ -27,7 +27,7 @@ StationRange stations_under(const InfluenceStrip& strip, std::span<const double>
 InfluenceNumbers resample(const InfluenceFunction& function, const ExpandOptions& options,
                           std::span<const double> row_s, double ds, LineStore* known = nullptr);
 
-/// The same handed to `take` row by row (expand_lines()), without a table of them.
+/// Hands the same to `take` row by row (expand_lines()), without a table of them.
 void resample_lines(const InfluenceFunction& function, const ExpandOptions& options,
                     std::span<const double> row_s, double ds, const TakeLines& take,
                     LineStore* known = nullptr);

@@ -29,8 +29,8 @@ using TakeLines = std::function<void(NumberLines&)>;
 /// A table serves its own element length and whole multiples of it, as exact sums, `included` alone, and
 /// no plane strain; all else throws InputError.
 InfluenceNumbers expand(const InfluenceFunction& function, const ExpandOptions& options);
-/// The same handed to `take` row by row, in any order, without a table of them. Of a table file's numbers
-/// those of the rows J <= I.
+/// Hands the same to `take` row by row, in any order, without a table of them. Of a table file it hands over
+/// the numbers of the rows J <= I.
 void expand_lines(const InfluenceFunction& function, const ExpandOptions& options, const TakeLines& take);
 
 } // namespace bem_contact

@@ -11,8 +11,8 @@ struct HarmonicPoints {
   std::vector<double> weight;
 };
 
-/// For harmonics first .. last of functions that are smooth over the run, times cos(n angle) or sin(n angle)
-/// with an angle up to `largest_angle`, rad.
+/// Returns points for harmonics first .. last of functions that are smooth over the run, times cos(n angle)
+/// or sin(n angle) with an angle up to `largest_angle`, rad.
 ///
 /// A run of hundreds of harmonics has few waves of such a function. A polynomial through Chebyshev's points
 /// is the function, and the weights are the sums of its Lagrange polynomials over the harmonics. The error

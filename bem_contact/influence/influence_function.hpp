@@ -79,7 +79,7 @@ struct InfluenceStrip : InfluenceDescription {
   bool is_table() const { return table_dx > 0; }
   StationRange all_stations() const { return {0, static_cast<int>(stations.size())}; }
 
-  /// Both ends of the strip, arc length in mm.
+  /// Returns both ends of the strip, arc length in mm.
   std::pair<double, double> ends() const {
     return {stations.front().s - 0.5 * station_width, stations.back().s + 0.5 * station_width};
   }
@@ -124,17 +124,17 @@ struct InfluenceFunction : InfluenceStrip {
   }
 };
 
-/// The same body without stations, wavenumbers and numbers: to fill it with others.
+/// Returns the same body without stations, wavenumbers and numbers, to be filled with others.
 inline InfluenceFunction without_numbers(const InfluenceDescription& description) {
   return {{description}};
 }
 
-/// The same strip with these stations alone.
+/// Returns the same strip with these stations alone.
 InfluenceStrip part_of(const InfluenceStrip& strip, StationRange range);
 
 /// Throws InputError unless sizes agree, all numbers are finite, and stations and wavenumbers ascend.
 void validate(const InfluenceStrip& strip);
-/// And unless the kernel's diagonal is positive, or a table's, which must be reciprocal as well.
+/// Throws it unless the kernel's diagonal is positive, too, or a table's, which must be reciprocal as well.
 void validate(const InfluenceFunction& function);
 
 } // namespace bem_contact

@@ -60,7 +60,7 @@ struct InfluenceNumbers {
   }
 };
 
-/// The same numbers with every pair of rows written out.
+/// Returns the same numbers with every pair of rows written out.
 inline InfluenceNumbers spelled_out(const InfluenceNumbers& numbers) {
   if (!numbers.translational)
     return numbers;
@@ -84,7 +84,7 @@ public:
   static constexpr std::array<Entry, 5> even_entries = {{{0, 0}, {1, 1}, {1, 2}, {2, 1}, {2, 2}}};
   static constexpr std::array<Entry, 4> odd_entries = {{{0, 1}, {0, 2}, {1, 0}, {2, 0}}};
 
-  /// For rows 0 .. most - 1, one after the other.
+  /// Makes lines for rows 0 .. most - 1, one after the other.
   NumberLines(int most, int offsets)
       : offsets_(offsets), values_(static_cast<std::size_t>(9) * most * offsets) {}
 

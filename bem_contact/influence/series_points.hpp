@@ -39,7 +39,7 @@ private:
 /// The points met last. What is kept changes numbers by rounding alone. It serves one thread at a time.
 class SeriesStore {
 public:
-  /// For angles up to `angle` at least. Valid until the next call.
+  /// Returns points for angles up to `angle` at least. They are valid until the next call.
   const SeriesPoints& get(std::span<const double> wavenumber, double half_period, double angle);
 
 private:

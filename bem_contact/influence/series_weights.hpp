@@ -19,7 +19,7 @@ struct SeriesWeights {
 /// Up to the last sample as SeriesPoints says; beyond it k g(k) = c0 + c1/k through the last two samples. The
 /// points serve angles up to offsets dx pi / L.
 SeriesWeights series_weights(const SeriesPoints& points, double dx, int offsets);
-/// The same with points of its own.
+/// Does the same with points of its own.
 SeriesWeights series_weights(std::span<const double> wavenumber, double half_period, double dx, int offsets);
 
 } // namespace bem_contact

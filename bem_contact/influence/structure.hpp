@@ -7,7 +7,8 @@
 
 namespace bem_contact {
 
-/// Along and about x, y, z of the section: a small rigid motion (mm; rad), or a force and a moment (N; N mm).
+/// Holds six numbers along and about x, y, z of the section: a small rigid motion (mm; rad), or a force and a
+/// moment (N; N mm).
 using SixNumbers = std::array<double, 6>;
 /// [m][m']; row-major.
 using SixBySix = std::array<SixNumbers, 6>;

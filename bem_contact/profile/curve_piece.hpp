@@ -40,7 +40,7 @@ struct PiecePoint {
   double curvature = 0;
 };
 
-/// At the length `along` from the start of the piece (clamped to it).
+/// Returns the point at the length `along` from the start of the piece (clamped to it).
 PiecePoint point_on(const CurvePiece& piece, double along);
 
 /// The length along the piece of its point nearest to `p`.

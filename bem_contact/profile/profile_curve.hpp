@@ -38,7 +38,7 @@ public:
   /// fewer than 3 points, NaN, or doubled points.
   static ProfileCurve through_points(std::string name, std::span<const Point2> points,
                                      double corner_turn = corner_angle);
-  /// The same with corners at the points of these indices, in rising order, and nowhere else.
+  /// Does the same with corners at the points of these indices, in rising order, and nowhere else.
   static ProfileCurve through_points(std::string name, std::span<const Point2> points,
                                      std::span<const std::size_t> corners);
 

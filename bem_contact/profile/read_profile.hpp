@@ -27,8 +27,8 @@ struct MeasuredProfile {
   std::vector<Outlier> outliers = {};   ///< of the points as measured
   /// What smoothing may remove if it removes noise alone, mm (root mean square). More is shape.
   double largest_noise_removed() const;
-  /// Of the curve about the true profile, mm: that of the points, where it goes through all of them and their
-  /// noise is known; else 0.
+  /// Returns the scatter of the curve about the true profile, mm: that of the points, where it goes through
+  /// all of them and their noise is known; else 0.
   double scatter_left() const { return smoothing > 0 || worn || noise.coarse ? 0 : noise.scatter; }
 };
 
@@ -54,7 +54,7 @@ MeasuredProfile measured_profile(const std::filesystem::path& file, ProfileKind 
 MeasuredProfile parse_measured_profile(std::string_view text, std::string_view source_name, ProfileKind kind,
                                        const ProfileReading& reading = {}, int part = 0);
 
-/// Of which kind a file is by its ending (.prr, .ban, .rai; .prw, .whl, .whe), if that says it.
+/// Says of which kind a file is by its ending (.prr, .ban, .rai; .prw, .whl, .whe), if that says it.
 std::optional<ProfileKind> kind_of_ending(const std::filesystem::path& file);
 
 /// A standard profile by its name; of a body file (*.toml) the contact curve of the body; else a profile
@@ -64,7 +64,8 @@ std::optional<ProfileKind> kind_of_ending(const std::filesystem::path& file);
 ProfileCurve named_profile(std::string_view name_or_file, ProfileKind kind,
                            const std::filesystem::path& folder = {}, const ProfileReading& reading = {});
 
-/// The same with what was found out on the way; of a standard or a body the curve alone.
+/// Does the same and returns what was found out on the way; of a standard or a body it returns the curve
+/// alone.
 MeasuredProfile described_profile(const std::string& name_or_file, ProfileKind kind,
                                   const ProfileReading& reading = {});
 

@@ -3,7 +3,7 @@
 /// Kalker's creep coefficients.
 namespace bem_contact::reference {
 
-/// With c = sqrt(ab) and the project's signs (forces on the rail):
+/// These coefficients make the forces, with c = sqrt(ab) and the project's signs (forces on the rail):
 ///     Fx = c^2 G c11 xi,  Fy = c^2 G (c22 eta + c c23 phi),  Mz = c^3 G (-c23 eta + c c33 phi).
 struct CreepCoefficients {
   double a_over_b = 1; ///< semi-axis along x over semi-axis along s

@@ -48,8 +48,8 @@ struct ContactSetup {
   const PatchGeometry* patch() const { return std::get_if<PatchGeometry>(geometry.get()); }
   /// Where creepages and moments refer to; of a patch: the middle of the grid.
   ReferencePoint reference() const { return wheel_rail() ? wheel_rail()->reference : ReferencePoint{}; }
-  /// For plane strain, where displacements are only known up to a constant: they vanish at this distance from
-  /// the load, mm. It is the radius of a curved strip, else plane_strain_distance.
+  /// Returns the distance from the load, mm, at which displacements vanish in plane strain, where they are
+  /// only known up to a constant. It is the radius of a curved strip, else plane_strain_distance.
   double reference_distance() const;
 
   RowsOnBodies rows_on(const GridPlan& plan) const;

@@ -4,15 +4,15 @@
 
 namespace bem_contact {
 
-/// Before anything is solved: throws InputError if the pressure would be beyond elasticity
+/// Throws InputError before anything is solved, if the pressure would be beyond elasticity
 /// (largest_pressure_share) even with the prescribed force spread over the whole grid of a patch.
 void require_bearable(const ContactSetup& patch);
 
-/// Before anything is solved: throws InputError where wheel and rail would approach by more than
+/// Throws InputError before anything is solved, where wheel and rail would approach by more than
 /// largest_approach, mm.
 void require_small_approach(double approach);
 
-/// Of a solution: throws InputError where its pressure, MPa, is beyond elasticity.
+/// Throws InputError where the pressure of a solution, MPa, is beyond elasticity.
 void require_elastic(const ContactSetup& setup, double pressure);
 
 } // namespace bem_contact

@@ -116,7 +116,7 @@ struct SceneFile {
     bool operator==(const Motion&) const = default;
   } motion; ///< [motion]
 
-  /// From the outer border of the first row to that of the last, mm.
+  /// Reaches from the outer border of the first row to that of the last, mm.
   struct RowRange {
     double from = 0, to = 0; ///< arc length, mm
 
@@ -220,7 +220,7 @@ struct SceneChange {
 /// (sweep_file.hpp reads them).
 /// Both throw InputError, naming source, line and key, for what is no valid scene.
 SceneFile read_scene_file(const std::filesystem::path& file, std::span<const SceneChange> changes = {});
-/// The same of a text.
+/// Reads the same from a text.
 SceneFile parse_scene_file(SceneText given, std::span<const SceneChange> changes = {});
 /// A scene file with every key: default, unit and meaning.
 std::string default_scene_file();
@@ -230,16 +230,17 @@ std::string unit_of_key(std::string_view key);
 /// version and, because nothing is left to a default, in others.
 std::string scene_with_defaults(const SceneFile& scene);
 
-/// The same scene, to be answered with another model. Empty: with the cheapest that is accurate enough.
+/// Returns the same scene, to be answered with another model. Where `model` is empty, the cheapest one that
+/// is accurate enough answers it.
 SceneFile with_model(SceneFile scene, std::optional<Model> model);
-/// The same for the name of one, or "auto", as an option gives it; "": as the scene says. Throws InputError
-/// for any other text.
+/// Does the same for the name of a model, or "auto", as an option gives it; "": as the scene says. Throws
+/// InputError for any other text.
 SceneFile with_model(SceneFile scene, const std::string& name);
-/// The same scene at a given lateral displacement, mm, instead of a given lateral force.
+/// Returns the same scene at a given lateral displacement, mm, instead of a given lateral force.
 SceneFile with_lateral(SceneFile scene, double lateral);
 /// One wheel of a scene with [wheelset], which it no longer has: with its side and what differs on the left.
 SceneFile one_wheel(SceneFile wheelset, WheelSide side);
-/// The same scene on elements of a given size, mm.
+/// Returns the same scene on elements of a given size, mm.
 SceneFile with_elements(SceneFile scene, double dx, double ds);
 
 /// A file that a scene names, or could: a profile may be a standard's name.
@@ -250,7 +251,7 @@ struct NamedFile {
 };
 /// Whether a key names a profile, as "rail.profile" and "wheelset.left_rail_profile" do.
 bool names_profile(std::string_view key);
-/// The same of influence files.
+/// Says the same of influence files.
 bool names_influence(std::string_view key);
 /// What a key names: nothing if `name` is empty. If it is the body file of a profile, also the profile file
 /// that this one names, with the key "rail.profile.body.profile".
@@ -258,7 +259,7 @@ std::vector<NamedFile> files_of_key(const std::string& key, const std::string& n
                                     const std::filesystem::path& folder);
 /// All that a scene names, table by table.
 std::vector<NamedFile> named_files(const SceneFile& scene);
-/// Their paths.
+/// Returns the paths of these files.
 std::vector<std::filesystem::path> paths_of(const std::vector<NamedFile>& files);
 /// The paths of all that a scene names.
 std::vector<std::filesystem::path> input_files(const SceneFile& scene);

@@ -19,7 +19,7 @@ struct SceneKeysAsRead {
 /// Reads into `file` and `read`, which must outlive it.
 Schema scene_schema(SceneFile& file, SceneKeysAsRead& read);
 
-/// After reading: sets shear moduli and rows. Throws InputError if a material has two moduli.
+/// Sets shear moduli and rows after reading. Throws InputError if a material has two moduli.
 void settle(SceneFile& file, const Schema& schema, const SceneKeysAsRead& read);
 
 /// Throws InputError, naming line and key, for keys that exclude each other and for one that is missing.

@@ -17,11 +17,11 @@ public:
   ~SceneReader();
   SceneReader(SceneReader&&) noexcept; ///< can be moved
 
-  /// As if the text said so from here on. Throws InputError for an unknown key (with the
+  /// Sets a key as if the text said so from here on. Throws InputError for an unknown key (with the
   /// nearest ones), a wrong type, or a value out of range; the key then keeps its value.
   void set(const SceneChange& change);
 
-  /// The same for a number, which the key may want whole or as a flag (Schema::number_for).
+  /// Does the same for a number, which the key may want whole or as a flag (Schema::number_for).
   void set_number(const std::string& key, double number);
   /// Throws InputError for an unknown key, with the nearest ones.
   void require_key(const std::string& key) const;

@@ -68,7 +68,7 @@ SweepFile parse_sweep_file(SceneText given, std::string_view section = "sweep");
 /// that takes long. Throws InputError.
 void check_values(const SweepFile& sweep);
 
-/// As TOML writes it; numbers with the fewest digits that give them back.
+/// Returns the value as TOML writes it, numbers with the fewest digits that give them back.
 std::string to_text(const SchemaValue& value);
 
 } // namespace bem_contact

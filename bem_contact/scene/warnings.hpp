@@ -11,7 +11,7 @@ namespace bem_contact {
 /// wheel that stands on its flange, keys that have no effect. `setup`: of the scene.
 std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSetup& setup);
 
-/// Of a vertical force on so many wheels that is probably in kN.
+/// Warns of a vertical force on so many wheels that is probably in kN.
 void warn_of_kilonewtons(const char* key, double force, int wheels, std::vector<std::string>& warnings);
 
 /// What is wrong with inclining a rail by `cant` (rad) that its file has inclined already; "": nothing.

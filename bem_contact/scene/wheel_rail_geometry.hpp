@@ -14,11 +14,11 @@
 
 namespace bem_contact {
 
-/// By how much a rail is inclined in its file already (like_standard.hpp), rad; 0 of a standard profile. It
-/// is found by whoever first asks for it: few do, and it takes as long as many a contact.
+/// Says by how much a rail is inclined in its file already (like_standard.hpp), rad; 0 of a standard profile.
+/// It is found by whoever first asks for it: few do, and it takes as long as many a contact.
 using RailInclination = std::shared_future<double>;
 
-/// Both profiles, tabulated: read once for a sequence of cases with the same bodies.
+/// Holds both profiles, tabulated. They are read once for a sequence of cases with the same bodies.
 struct WheelRailProfiles {
   TabulatedProfile rail, wheel;
   RailInclination rail_inclination; ///< that the rail's file has already

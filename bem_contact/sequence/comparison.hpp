@@ -10,7 +10,8 @@ namespace bem_contact {
 /// Longitudinal forces at some distances from free rolling.
 struct CreepForces {
   std::vector<double> creepage; ///< beyond free rolling; each model has its own creepage of free rolling
-  /// On the rail, N, and their errors by the size of the elements (nan: not known): [model][creepage].
+  /// These are the forces on the rail, N, and their errors by the size of the elements (nan: not known):
+  /// [model][creepage].
   std::vector<std::vector<double>> Fx, Fx_error;
 
   bool empty() const { return creepage.empty(); } ///< whether the comparison has none
@@ -26,15 +27,16 @@ struct CreepForces {
 struct Comparison {
   std::vector<Model> models; ///< as asked for
   std::size_t reference = 0; ///< which of them the others are compared with: fem, or the last one
-  /// One for each model, with the same Fx (load.force_x, or 0 with friction: free rolling), Fy and Fz. Fy is
-  /// load.force_y, or the reference's Fy at position.lateral. A model whose Fy there agrees within
-  /// same_lateral_force stays there. A patch: the same normal force. Empty for transient rolling and shifts.
+  /// There is one result for each model, with the same Fx (load.force_x, or 0 with friction: free rolling),
+  /// Fy and Fz. Fy is load.force_y, or the reference's Fy at position.lateral. A model whose Fy there agrees
+  /// within same_lateral_force stays there. Of a patch the normal force is the same. Empty for transient
+  /// rolling and shifts.
   std::vector<SceneResult> at_forces;
   CreepForces creep_forces; ///< where at_forces have friction and load.force_x is not given
-  /// One for each model, with the same Fz, position and creepages. Empty for a patch.
+  /// There is one result for each model, with the same Fz, position and creepages. Empty for a patch.
   std::vector<SceneResult> at_position;
 
-  /// Those to look at first: at equal forces where there are some.
+  /// Returns the results to look at first: those at equal forces, where there are some.
   const std::vector<SceneResult>& leading() const { return at_forces.empty() ? at_position : at_forces; }
 };
 

@@ -8,7 +8,7 @@
 
 namespace bem_contact {
 
-/// Of result.patches, in their order. `contact`: with what the last step prescribes.
+/// Returns the places of result.patches, in their order. `contact` has what the last step prescribes.
 std::vector<PatchPlace> patch_places(const ContactSetup& setup, const ContactOnGrid& contact,
                                      const ContactResult& result);
 

@@ -16,8 +16,8 @@ std::vector<std::string> result_warnings(const ContactCase& asked, const SceneRe
 /// Adds a warning if no model that can be taken is good enough (SceneResult::model_enough).
 void warn_of_model(SceneResult& out);
 
-/// Of a result whose model was chosen for `chosen`, another solution of the same question: why it was taken,
-/// and whether it is good enough.
+/// Copies from `chosen`, another solution of the same question, why the model was taken and whether it is
+/// good enough.
 void take_choice(const SceneResult& chosen, SceneResult& out);
 
 /// Adds a warning if the estimated error of a solution is above the grid.accuracy asked for. `why`: the
@@ -36,7 +36,7 @@ struct PlacedWarning {
 /// figures.
 std::vector<std::string> once_each(const std::vector<PlacedWarning>& warnings);
 
-/// For --strict: throws InputError with all warnings, if there are any.
+/// Serves --strict: throws InputError with all warnings, if there are any.
 void refuse_warnings(const std::vector<std::string>& warnings);
 
 } // namespace bem_contact

@@ -52,7 +52,7 @@ struct FreeRolling {
   double radius_error() const { return rolling_radius * xi_error / (1 - xi); } ///< mm
 };
 
-/// Where the wheelset stands so that the lateral force is load.force_y.
+/// Says where the wheelset stands so that the lateral force is load.force_y.
 struct LateralPosition {
   double lateral = 0;           ///< position.lateral, mm
   double slope = 0;             ///< dFy/dy there, N/mm
@@ -100,8 +100,8 @@ struct SceneResult {
   std::vector<double> wheel_s; ///< station on the upper body of each row, mm; empty where it has none
   std::vector<Point2> rail_profile, wheel_profile; ///< Outlines: at approach 0, frame of the rows, mm
   std::optional<StressesBelow> stresses;           ///< where the scene asks for them
-  /// In words: the approach is the relative displacement of these points of the two bodies. Approaches with
-  /// different datums must not be compared.
+  /// Says in words: the approach is the relative displacement of these points of the two bodies. Approaches
+  /// with different datums must not be compared.
   std::string approach_datum;
   std::optional<StructuralResult> structure; ///< fem with structural compliance of at least one body
   std::vector<std::string> warnings;         ///< what to know before the numbers are used

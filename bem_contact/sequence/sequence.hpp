@@ -13,7 +13,7 @@ namespace bem_contact {
 
 class SequenceFiles; // shared_files.hpp
 
-/// For benchmarks alone: switches off what saves time (tools/benchmarks/ablation shows what each saves).
+/// Serves benchmarks alone: switches off what saves time (tools/benchmarks/ablation shows what each saves).
 struct SequenceAblation {
   bool keep_files = true; ///< profiles and influence files are kept (SequenceFiles)
   /// Influence numbers of a known grid are not computed again, nor what the solver prepares from them.

@@ -12,9 +12,9 @@ struct BodyMotion {
   Point2 before, after; ///< the point, where the scene puts it and where it goes, mm (y, z)
   SixNumbers force{};   ///< of the contact on the body, about `after`, N and N mm
   SixNumbers motion{};  ///< compliance times force
-  /// The same motion as the influence numbers contain it, in the section's axes. Their forces act along the
-  /// normals of the body's own profile, which differ a little from the rail's where the surfaces are not
-  /// parallel.
+  /// This is the same motion as the influence numbers contain it, in the section's axes. Their forces act
+  /// along the normals of the body's own profile, which differ a little from the rail's where the surfaces
+  /// are not parallel.
   SixNumbers motion_in_numbers{};
   SixBySix compliance{};             ///< mm and rad under N and N mm
   std::optional<SixBySix> stiffness; ///< compliance^-1; nothing where the body does not give way

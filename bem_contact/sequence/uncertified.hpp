@@ -11,7 +11,7 @@ namespace bem_contact {
 /// first step that is not a solution, because later steps start from it. "" if it is certified.
 std::string why_uncertified(const SceneResult& result);
 
-/// The same as an error, for callers that take only certified results.
+/// Returns the same as an error, for callers that take only certified results.
 ConvergenceError uncertified_error(const SceneResult& result);
 
 } // namespace bem_contact

@@ -25,8 +25,8 @@ struct UncertainSum {
   /// direction: then the normal force alone tells the sum.
   double deviation = 0;
   double adhering = 0; ///< sum of the squares of the elements in adhesion: each is off by chance
-  /// Of the elements in adhesion, the absolute sum over the root of their number: as the root of `adhering`
-  /// where they are all alike, and nothing where they cancel.
+  /// This is the absolute sum of the elements in adhesion over the root of their number: as large as the root
+  /// of `adhering` where they are all alike, and nothing where they cancel.
   double adhering_alike = 0;
 };
 
@@ -42,9 +42,9 @@ struct Region {
   UncertainSum fx, fs;                   ///< of p_x dS, p_s dS, N
   UncertainSum moment;                   ///< of both about the centre of pressure, N mm
   double friction_power = 0;             ///< N (shift: N mm)
-  /// In steady rolling: the power that drives the bodies, sum (p_t w + p_n dh/dx) dS; w includes the
+  /// In steady rolling this is the power that drives the bodies, sum (p_t w + p_n dh/dx) dS; w includes the
   /// creepages found. By conservation of energy it is the power of friction on elements of vanishing size
-  /// (theory/estimates_and_heat.md, section 2). In other motions: the power of friction itself.
+  /// (theory/estimates_and_heat.md, section 2). In other motions it is the power of friction itself.
   UncertainSum driving_power;
   double pmax = 0;      ///< MPa
   double curvature = 0; ///< at the peak: how far p_n falls to its neighbours, twice the mean

@@ -50,10 +50,10 @@ public:
   void forget_solutions();
   /// Null if the influence numbers do not couple the normal and the tangential problem.
   const Coupling* coupling(const ContactProblem& problem, WorkBudget& work);
-  /// For starting_problem() (grid/larger_elements.hpp), made about the fine row `middle`.
+  /// Returns operators for starting_problem() (grid/larger_elements.hpp), made about the fine row `middle`.
   StartingOperators& start(const InfluenceNumbers& fine, const ContactGrid& coarse, int middle,
                            bool only_normal);
-  /// For companion_of() on these larger elements.
+  /// Returns operators for companion_of() on these larger elements.
   CompanionOperators& companion(const InfluenceNumbers& fine, const LargerElements& larger, bool only_normal);
 
 private:

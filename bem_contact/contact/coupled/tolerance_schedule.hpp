@@ -14,7 +14,7 @@ public:
   double now() const { return now_; }
   /// Whether an outer iteration that changes so little (relative) may be the last.
   bool is_close(double change) const;
-  /// And whether it is the last: it was solved precisely too.
+  /// Says whether the outer iteration is the last one: it is close, and was solved precisely too.
   bool is_settled(double change) const { return is_close(change) && now_ <= asked_; }
   /// Sets the tolerance after an outer iteration with this change. `left`: the share of it that is expected
   /// of the next one; if that will be close, it may be the last and is solved precisely. `share`: prescribed

@@ -14,9 +14,10 @@ namespace bem_contact::contact {
 /// carries grids and fields over from the fine elements to the large ones.
 class LargerElements {
 public:
-  /// Of the whole grid. The last row or column of an odd number is left out.
+  /// Joins the elements of the whole grid. The last row or column of an odd number is left out.
   explicit LargerElements(const ContactGrid& fine);
-  /// The same, but an odd row or column is left out at the end that is farther from the contact (pn > 0).
+  /// Does the same, but an odd row or column is left out at the end that is farther from the contact (pn >
+  /// 0).
   LargerElements(const ContactGrid& fine, const std::vector<double>& pn);
 
   /// The first of `fine_count` elements that is joined, where those of the contact are lowest .. highest.
@@ -69,7 +70,7 @@ private:
   Joined x_, s_;
 };
 
-/// The same problem on larger elements and a guess at its solution.
+/// Holds the same problem on larger elements and a guess at its solution.
 struct Companion {
   ContactProblem problem;
   StartingPoint start; ///< means of the result's tractions over the joined elements
@@ -80,14 +81,15 @@ struct Companion {
 /// one.
 std::string why_no_companion(const ContactProblem& problem, const ContactResult& result);
 
-/// For the estimate of the discretisation, where why_no_companion() says nothing. Undeformed distance, rigid
-/// slip and rows are taken at the new centres. Without influence numbers, which are those of `larger`, exact.
+/// Returns the problem for the estimate of the discretisation, where why_no_companion() says nothing.
+/// Undeformed distance, rigid slip and rows are taken at the new centres. It has no influence numbers: those
+/// of `larger` are exact.
 Companion companion_of(const ContactProblem& problem, const ContactResult& result,
                        const LargerElements& larger);
 
-/// For a start: everything is a mean, and all pairs of rows at the same distance have the influence numbers
-/// of the pair about the row `middle`. Only steady rolling without prescribed shear forces keeps its
-/// friction. Without influence numbers, which starting_numbers() makes.
+/// Returns a problem to start from: everything is a mean, and all pairs of rows at the same distance have the
+/// influence numbers of the pair about the row `middle`. Only steady rolling without prescribed shear forces
+/// keeps its friction. It has no influence numbers: starting_numbers() makes them.
 ContactProblem starting_problem(const ContactProblem& problem);
 /// The fine row about which starting_numbers() takes them: that of the smallest undeformed distance, 0 for
 /// translational numbers.

@@ -7,7 +7,7 @@
 
 namespace bem_contact::contact {
 
-/// Of patch_elements() of the result, in their order: the largest force first.
+/// Returns one summary for each of patch_elements() of the result, in their order: the largest force first.
 std::vector<PatchSummary> find_patches(const ContactProblem& problem, const ContactResult& result);
 
 /// True where contact reaches an edge of the grid: the potential contact is too small.

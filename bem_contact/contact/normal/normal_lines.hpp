@@ -14,11 +14,11 @@ class NormalLines {
 public:
   NormalLines(const InfluenceNumbers& numbers, int mx);
 
-  /// Of a pair of rows; [ix - jx] from 1 - mx to mx - 1.
+  /// Returns the numbers of a pair of rows; [ix - jx] from 1 - mx to mx - 1.
   const double* line(int row_i, int row_j) const {
     return &values_[static_cast<std::size_t>(pair(row_i, row_j)) * (2 * mx_ - 1) + mx_ - 1];
   }
-  /// Of two elements of the grid.
+  /// Returns the number of two elements of the grid.
   double at(int element, int loaded) const {
     return line(element / mx_, loaded / mx_)[element % mx_ - loaded % mx_];
   }

@@ -51,10 +51,10 @@ public:
 
   /// The next linear system has a factor of its own elements.
   void forget_solutions() { borders_ = false; }
-  /// On the whole grid.
+  /// Returns the operator on the whole grid.
   const StripOperator& whole(const InfluenceNumbers& numbers, int mx, WorkBudget& work);
   const NormalLines& lines(const InfluenceNumbers& numbers, int mx);
-  /// On boxes around these elements. The former boxes are used again while they serve.
+  /// Returns the operator on boxes around these elements. The former boxes are used again while they serve.
   const NormalBox& box_around(const std::vector<int>& elements, const InfluenceNumbers& numbers,
                               const ContactGrid& grid, WorkBudget& work);
   NormalBoxVectors& vectors() { return vectors_; }

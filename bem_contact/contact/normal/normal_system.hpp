@@ -18,7 +18,7 @@ public:
 
   /// (A p)_n, mm
   Eigen::VectorXd apply(const Eigen::VectorXd& p, WorkBudget& work) const;
-  /// The same by direct sums: for a few hundred elements in contact.
+  /// Does the same by direct sums, for a few hundred elements in contact.
   Eigen::VectorXd apply_directly(const Eigen::VectorXd& p, WorkBudget& work) const;
   /// right := A_CC^-1 right on the elements of the list; false where A_CC is not positive definite.
   bool solve_dense(const std::vector<int>& list, Eigen::MatrixXd& right) const;

@@ -15,7 +15,7 @@ namespace bem_contact::contact {
 void solve_normal(const NormalSystem& system, const Eigen::VectorXd& gap, const NormalLoad& load,
                   const SolverOptions& options, WorkBudget& work, NormalState& state);
 
-/// The same by MPRGP, from p = 0. If the force is given, the approach is bracketed.
+/// Solves the same by MPRGP, from p = 0. If the force is given, the approach is bracketed.
 void solve_normal_safely(const NormalSystem& system, const Eigen::VectorXd& gap, const NormalLoad& load,
                          const SolverOptions& options, WorkBudget& work, NormalState& state);
 

@@ -55,7 +55,7 @@ inline std::size_t fft_block(std::size_t n) {
 /// Memory in which one operation after the other works. Each leaves there what it likes.
 class Scratch {
 public:
-  /// At least `n` reals, aligned for FFTW; what an earlier call gave may be gone.
+  /// Returns room for at least `n` reals, aligned for FFTW; what an earlier call gave may be gone.
   template <class Real> Real* reals(std::size_t n) {
     const std::size_t doubles = (n * sizeof(Real) + sizeof(double) - 1) / sizeof(double);
     if (doubles > size_) {

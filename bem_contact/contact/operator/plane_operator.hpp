@@ -22,11 +22,12 @@ public:
   /// `periodic`: the transforms are hardly longer than the grid, so that its ends act on each other. That is
   /// a quarter of the work and good enough for a preconditioner.
   enum class Form { exact, periodic };
-  /// On boxes that act on each other; fields [component][box][ms][mx]. If the numbers are not translational,
-  /// the pairs of rows about the middle of the first box stand for all pairs at the same distance.
+  /// Works on boxes that act on each other; fields [component][box][ms][mx]. If the numbers are not
+  /// translational, the pairs of rows about the middle of the first box stand for all pairs at the same
+  /// distance.
   BasicPlaneOperator(const InfluenceNumbers& numbers, const Boxes& boxes, const std::vector<int>& outputs,
                      const std::vector<int>& inputs, Form form = Form::exact, TransformPool* pool = nullptr);
-  /// The same in another precision.
+  /// Makes the same operator in another precision.
   template <class Other>
   explicit BasicPlaneOperator(const BasicPlaneOperator<Other>& other, TransformPool* pool = nullptr);
   explicit BasicPlaneOperator(const BasicPlaneOperator& other);
@@ -46,8 +47,9 @@ public:
   /// of the periodic operator, which knows nothing of the border of the contact.
   void invert();
 
-  /// The same for a factor of A = A_ahead A_behind (Wiener, Hopf 1931). A_behind p at x depends only on p at
-  /// <= x, and A_ahead p only on p at >= x. Between the two factors a border across x can be respected.
+  /// Does the same for a factor of A = A_ahead A_behind (Wiener, Hopf 1931). A_behind p at x depends only on
+  /// p behind x and at it, A_ahead p only on p ahead and at it. Between the two factors a border across x can
+  /// be respected.
   void invert_behind();
 
   /// Changes this operator to its mirror image, whose numbers are those at -x, -s: the inverse of A_behind to

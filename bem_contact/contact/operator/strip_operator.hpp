@@ -22,14 +22,14 @@ class TransformPool;
 /// `Real`: double, or float where a few digits are enough.
 template <class Real> class BasicStripOperator {
 public:
-  /// On all rows of the numbers.
+  /// Works on all rows of the numbers.
   BasicStripOperator(const InfluenceNumbers& numbers, int mx, std::vector<int> outputs,
                      std::vector<int> inputs, TransformPool* pool = nullptr);
-  /// On boxes of the grid; fields [component][box][ms][mx]. Where the numbers are not translational the boxes
-  /// have the same columns.
+  /// Works on boxes of the grid; fields [component][box][ms][mx]. Where the numbers are not translational the
+  /// boxes have the same columns.
   BasicStripOperator(const InfluenceNumbers& numbers, const Boxes& boxes, std::vector<int> outputs,
                      std::vector<int> inputs, TransformPool* pool = nullptr);
-  /// The same in another precision.
+  /// Makes the same operator in another precision.
   template <class Other>
   explicit BasicStripOperator(const BasicStripOperator<Other>& other, TransformPool* pool = nullptr);
   ~BasicStripOperator();

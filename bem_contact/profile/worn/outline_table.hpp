@@ -38,7 +38,7 @@ private:
   OutlineTable(const ProfileCurve& curve, const std::vector<double>& s);
   /// Square of the distance to the middle of a chord.
   double squared(std::size_t chord, Point2 p) const;
-  /// To the chord whose neighbours are farther; returns the square of its distance.
+  /// Walks to the chord whose neighbours are farther, and returns the square of its distance.
   double walk(Point2 p, std::size_t& near) const;
   std::size_t nearest_of_some(Point2 p) const;
 

@@ -15,7 +15,7 @@ struct SmoothDepth {
 /// length L keeps the share 1 / (1 + (wavelength / L)^6). The wavelength is `given` (mm) everywhere.
 SmoothDepth smoothed_depth(std::span<const double> s, std::span<const double> depth, double given);
 
-/// The same with the wavelength found from the data, stretch by stretch (Davies and Meise 2008): from
+/// Does the same with the wavelength found from the data, stretch by stretch (Davies and Meise 2008): from
 /// longest_depth_wave it is shortened, only where it must be, until what is removed looks like noise of the
 /// standard deviation `scatter` (mm): on no stretch of n points, at least a quarter of the wavelength long,
 /// may the sum of it exceed scatter sqrt(2 n ln N), N the number of all points (Davies and Kovac 2001). Where

@@ -50,7 +50,7 @@ struct NominalFit {
 std::string not_worn_from(const ProfileCurve& nominal, const NominalFit& fit);
 
 NominalFit fit_nominal(const ProfileCurve& nominal, std::span<const Point2> points, double scatter);
-/// The same at a given place.
+/// Does the same at a given place.
 NominalFit fit_at(const NominalPlace& place, const ProfileCurve& nominal, std::span<const Point2> points,
                   double scatter);
 

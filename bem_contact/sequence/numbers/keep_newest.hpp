@@ -7,7 +7,7 @@
 
 namespace bem_contact {
 
-/// Those used last are in front. Of them stay at most `most_entries` whose sizes sum up to no more than
+/// Entries used last are in front. This keeps at most `most_entries` whose sizes sum up to no more than
 /// `most`; the first one stays whatever its size.
 template <class Kept, class SizeOf>
 void keep_newest(std::deque<Kept>& all, const SizeOf& size_of, double most,

@@ -23,7 +23,8 @@ struct NumbersSource {
   double reference_distance = 0;       ///< of plane strain, mm
   std::vector<double> rail_s, wheel_s; ///< stations of the rows where influence functions are taken, mm
   double contact_radius = 0;           ///< mm
-  /// Of the rows against the wheel's axle, rad, where the wheel's radial displacement is added.
+  /// This is the inclination of the rows against the wheel's axle, rad, where the wheel's radial displacement
+  /// is added.
   std::vector<double> inclination;
 
   bool operator==(const NumbersSource&) const = default;
@@ -43,7 +44,8 @@ struct BodyNumbersSource {
 /// in each. So the rail's numbers serve every case whose rows are among those of an earlier one.
 class RailNumbersStore {
 public:
-  /// Those of rows at `row_s`, from `compute` unless they are part of what is kept. They are the caller's.
+  /// Returns the numbers of rows at `row_s`, from `compute` unless they are part of what is kept. They are
+  /// the caller's.
   InfluenceNumbers get(const BodyNumbersSource& source, const std::vector<double>& row_s, int offsets,
                        const std::function<InfluenceNumbers()>& compute);
 

@@ -11,18 +11,19 @@ namespace bem_contact {
 /// (1996): the contact is where they would overlap at 0.55 of the approach.
 struct ContactEstimate {
   std::vector<RailSlice> slices; ///< the whole head of the rail
-  /// One for each slice: the vertical force of pressure and shear together, divided by that of the pressure.
+  /// There is one value for each slice: the vertical force of pressure and shear together, divided by that of
+  /// the pressure.
   std::vector<double> lift;
   double approach = 0; ///< mm
   double force = 0;    ///< vertical, N
 };
 
-/// Without shear. `compliance`: contact_compliance() of the pair.
+/// Estimates a contact without shear. `compliance`: contact_compliance() of the pair.
 ContactEstimate estimate_contact(std::vector<RailSlice> slices, double compliance, const ContactLoad& load);
 
-/// Of a `wheel_rail` scene. `foresee_shear`: shear bears its part of a prescribed force, as if all slipped,
-/// less where creepages are small. On a flange the pressure may be many times what it is without friction.
-/// Throws InputError where the bodies approach by more than elasticity allows.
+/// Estimates the contact of a `wheel_rail` scene. `foresee_shear`: shear bears its part of a prescribed
+/// force, as if all slipped, less where creepages are small. On a flange the pressure may be many times what
+/// it is without friction. Throws InputError where the bodies approach by more than elasticity allows.
 ContactEstimate estimate_contact(const ContactSetup& setup, bool foresee_shear);
 
 /// One area where the undeformed distance is below what the approach asks for.
@@ -31,9 +32,9 @@ struct PotentialArea {
 
   bool operator==(const PotentialArea&) const = default;
 };
-/// All of them, h < q cos(delta), along s.
+/// Returns all areas, h < q cos(delta), along s.
 std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate, double q);
-/// Those where the undeformed distance is below potential_share of the estimate's own approach.
+/// Returns the areas where the undeformed distance is below potential_share of the estimate's own approach.
 std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate);
 
 /// What the estimate says of the area that bears most.
@@ -48,12 +49,12 @@ struct EstimatedContact {
   double delta = 0;             ///< inclination, rad
   Point2 position;              ///< on the rail
 };
-/// Under the vertical force of the estimate, with the wheel `aside` mm further along y. Its distance from the
-/// rail then changes by the part of that shift along the normal.
+/// Estimates the contact under the vertical force of the estimate, with the wheel `aside` mm further along y.
+/// Its distance from the rail then changes by the part of that shift along the normal.
 EstimatedContact estimated_contact(const ContactEstimate& estimate, double compliance, double aside = 0);
 
-/// The same method on the rows of a problem, whose undeformed distance is known. Nothing in plane strain, and
-/// on fewer than three columns.
+/// Uses the same method on the rows of a problem, whose undeformed distance is known. Returns nothing in
+/// plane strain, and on fewer than three columns.
 std::optional<ContactEstimate> estimate_contact(const ContactProblem& problem, double compliance);
 
 /// How large the estimate says that the contact is, mm, mm^2. In s the sum over all areas.

@@ -28,8 +28,8 @@ public:
   /// if it is larger.
   void forget();
   int least() const { return least_; } ///< fewest that are tried for an accuracy
-  /// After a case with `contact` elements and an estimated error (< 0: too few to estimate). True where the
-  /// case is to be solved again with wanted(), which is larger then.
+  /// Is called after a case with `contact` elements and an estimated error (< 0: too few to estimate).
+  /// Returns true where the case is to be solved again with wanted(), which is larger then.
   bool learn(int contact, double error);
 
 private:
@@ -60,17 +60,19 @@ public:
   /// `learn_area`: learn from each case the area in contact over the area that ContactEstimate predicts.
   explicit ElementSize(bool learn_area) : learn_area_(learn_area) {}
 
-  /// Before a case. `alike`: its contact is like that of the case before, so that what was learnt holds.
+  /// Is called before a case. `alike`: its contact is like that of the case before, so that what was learnt
+  /// holds.
   void begin(const ContactCase& asked, bool alike);
   /// The grid asked for, with the dx and ds that are chosen where the scene leaves them open.
   SceneFile::Grid grid(const ContactCase& asked) const;
   int wanted() const { return count_->wanted(); } ///< elements in contact
-  /// After a solution: true where the case is to be solved again, on the smaller elements of grid().
+  /// Is called after a solution. Returns true where the case is to be solved again, on the smaller elements
+  /// of grid().
   bool learn(const ContactCase& asked, const SceneResult& result);
   /// What learn() will say of this result, precise or rough.
   bool asks_for_more(const ContactCase& asked, const ContactProblem& problem,
                      const ContactResult& result) const;
-  /// For a warning: why elements of length `dx` (mm) are not made smaller.
+  /// Says for a warning why elements of length `dx` (mm) are not made smaller.
   std::string limit(double dx) const;
 
 private:

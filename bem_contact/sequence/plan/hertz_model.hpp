@@ -22,7 +22,7 @@ struct HertzModel {
                         ///< contact, over the approach
   double turn = 0;      ///< of the normal within the contact, rad
 
-  /// Of a point, in the principal axes.
+  /// Returns the coordinates of a point in the principal axes.
   std::pair<double, double> local(double x, double s) const;
 };
 
@@ -32,8 +32,8 @@ struct HertzModel {
 std::optional<HertzModel> fit_hertz(const ContactProblem& problem, const Material& lower,
                                     const Material& upper);
 
-/// The same for a problem of this setup; nothing where the contact is none of Hertz's: with friction, or in
-/// plane strain.
+/// Does the same for a problem of this setup. Returns nothing where the contact is none of Hertz's: with
+/// friction, or in plane strain.
 std::optional<HertzModel> hertz_of(const ContactSetup& setup, const ContactProblem& problem);
 
 /// Mean pressure of each element, totals of the closed form, displacements along n. Frictionless. The

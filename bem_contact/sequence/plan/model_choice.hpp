@@ -32,7 +32,7 @@ ModelChoice choose_model(const ContactTraits& traits, const ModelRequest& reques
 /// Predicted relative error of half-space theory in plane strain, and of stresses below a surface whose
 /// normal turns by `turn` rad: 0.66 (turn/2)^2 (halfspace_error).
 double predicted_halfspace_error(double turn);
-/// Of Hertz's solution in pmax: what the undeformed distance departs from a quadratic
+/// Predicts the error of Hertz's solution in pmax: what the undeformed distance departs from a quadratic
 /// (hertz_deviation_error), and what the turn does.
 double predicted_error(const HertzModel& model);
 

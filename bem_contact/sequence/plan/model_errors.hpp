@@ -51,14 +51,14 @@ struct ContactTraits {
   bool one_circle = false; ///< of equal bodies in plane strain: tangent planes are exact
 };
 
-/// By the estimate of where and how far the bodies touch.
+/// Returns the traits by the estimate of where and how far the bodies touch.
 ContactTraits traits_of(const ContactCase& asked, const ContactEstimate& estimate);
-/// The same, with the turn and the normal force of a solution.
+/// Does the same, with the turn and the normal force of a solution.
 ContactTraits traits_of(const ContactCase& asked, ContactTraits estimated, const ContactProblem& problem,
                         const ContactResult& result);
 
-/// Of halfspace and tangent_plane (0 of the others): bounds that held in 98 of 100 random scenes
-/// (tools/BENCHMARKS.md). They grow with the turn, the force and the steepness.
+/// Predicts the errors of halfspace and tangent_plane (0 of the others): bounds that held in 98 of 100 random
+/// scenes (tools/BENCHMARKS.md). They grow with the turn, the force and the steepness.
 ModelErrors predicted_errors(Model model, const ContactTraits& traits);
 
 /// Largest turn of the normal within one connected run of rows in contact, rad.

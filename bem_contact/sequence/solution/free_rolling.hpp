@@ -15,7 +15,8 @@ namespace bem_contact {
 SceneResult solve_with_free_rolling(const ContactCase& asked, const SceneFile::Grid& grid,
                                     const SolveResources& resources);
 
-/// The same case with so much longitudinal creepage beyond free rolling, `free` (motion.xi is left out).
+/// Returns the same case with so much longitudinal creepage beyond free rolling, `free` (motion.xi is left
+/// out).
 ContactCase beyond_free_rolling(ContactCase asked, const FreeRolling& free, double creepage);
 
 } // namespace bem_contact

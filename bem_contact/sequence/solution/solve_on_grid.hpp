@@ -26,7 +26,8 @@ struct SolveResources {
   const EarlyEnd* early_end = nullptr;   ///< null: every solution is precise
   int threads = 1; ///< share the influence numbers; `operators` have a number of their own
 
-  /// The same for a further solution of this case, a precise one, with its own work budget and its own start.
+  /// Returns the same resources for a further solution of this case, a precise one, with its own work budget
+  /// and its own start.
   SolveResources with(WorkBudget& budget, const FormerSolution* from) const {
     return {.work = budget,
             .files = files,
@@ -40,7 +41,7 @@ struct SolveResources {
   }
 };
 
-/// With which numbers, and how much of the problem is solved.
+/// Says with which numbers, and how much of, the problem is solved.
 struct SolveTask {
   Model model = Model::halfspace;
   bool normal_only = false; ///< a look at the normal problem, for the choice of the model: no steps, no error

@@ -19,7 +19,8 @@ struct FormerSolution {
   Model model = Model::halfspace;
 };
 
-/// Nothing if no case can start from the result: it is neither certified nor ended early, or has no contact.
+/// Returns nothing if no case can start from the result: it is neither certified nor ended early, or has no
+/// contact.
 std::optional<FormerSolution> former_of(Model model, const ContactProblem& problem,
                                         const ContactResult& result, const ContactEstimate& estimate);
 
@@ -27,8 +28,8 @@ std::optional<FormerSolution> former_of(Model model, const ContactProblem& probl
 /// other.
 bool alike(const std::vector<PotentialArea>& a, const std::vector<PotentialArea>& b);
 
-/// Where the elements in contact of `former` are expected, by their middles; and all of an area in which it
-/// had none. `areas` are alike() the former ones, and not empty.
+/// Says where the elements in contact of `former` are expected, by their middles, and takes all of an area in
+/// which it had none. `areas` are alike() the former ones, and not empty.
 PotentialArea expected_contact(const FormerSolution& former, const std::vector<PotentialArea>& areas);
 
 /// `former` where this problem expects it: what lay in an area lies in its counterpart, as far from its

@@ -12,8 +12,8 @@ struct RadiusDifference {
   double difference = 0; ///< right less left, mm
 };
 
-/// With the zeros of the difference, which is linear between its values, as values of their own. `function`
-/// rises in `lateral`.
+/// Returns the function with the zeros of the difference, which is linear between its values, as values of
+/// their own. `function` rises in `lateral`.
 std::vector<RadiusDifference> with_zeros(std::span<const RadiusDifference> function);
 
 /// The free lateral motion of a wheelset with one amplitude (EN 15302).

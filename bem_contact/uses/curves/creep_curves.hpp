@@ -24,16 +24,16 @@ struct LinearTheory {
   double c() const; ///< sqrt(a b), mm
 };
 
-/// Nothing where the contact has no ellipse: several patches, a distance that is not curved both ways, or
-/// semi-axes beyond the table of coefficients.
+/// Returns nothing where the contact has no ellipse: several patches, a distance that is not curved both
+/// ways, or semi-axes beyond the table of coefficients.
 std::optional<LinearTheory> linear_theory(const SceneResult& result, const Material& rail,
                                           const Material& wheel);
 
 /// A curve that is wanted: one creepage is varied, the other two stay what the scene says.
 struct CreepRange {
   CreepKind which = CreepKind::xi; ///< the one that varies
-  /// As motion.xi, eta, phi mean it, in the order in which they are solved. Empty: chosen, to full slip on
-  /// both sides of free rolling (xi) or of zero.
+  /// These are values as motion.xi, eta, phi mean them, in the order in which they are solved. If there are
+  /// none they are chosen, to full slip on both sides of free rolling (xi) or of zero.
   std::vector<double> values;
 };
 
@@ -62,11 +62,11 @@ struct CreepCurves {
   SceneResult solution; ///< of the scene as it is
   double bound = 0;     ///< sum of mu p_n dS, N
   double radius = 0;    ///< c = sqrt(a b) of the ellipse, or of the area in contact, mm
-  /// At the scene's own creepages: what a vehicle model linearises with.
+  /// These hold at the scene's own creepages: what a vehicle model linearises with.
   CreepDerivatives sensitivities;
-  /// The same from one linear system, with the pressure held (linearised.hpp).
+  /// This has the same from one linear system, with the pressure held (linearised.hpp).
   std::optional<CreepMatrix> linearised;
-  /// At zero rigid slip: without any creepage and spin, not even those that the geometry makes.
+  /// These hold at zero rigid slip: without any creepage and spin, not even those that the geometry makes.
   CreepDerivatives slopes;
   std::optional<LinearTheory> linear; ///< to compare the slopes with
   std::vector<CreepCurve> curves;     ///< one for each range

@@ -30,7 +30,8 @@ using CreepMatrix = std::array<std::array<double, 3>, 3>;
 
 /// The forces of a result.
 CreepForceValues forces_of(const SceneResult& result);
-/// Their absolute errors (N, N, N mm) that the size of the elements is estimated to cause; nan: not known.
+/// Returns the absolute errors of the forces (N, N, N mm) that the size of the elements is estimated to
+/// cause; nan: not known.
 CreepForceValues force_errors_of(const SceneResult& result);
 
 /// The creepages whose rigid slip is nearest to that of the result, in the mean square over the contact,

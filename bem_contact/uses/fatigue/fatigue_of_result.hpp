@@ -50,7 +50,7 @@ struct DamageFunction {
   bool operator==(const DamageFunction&) const = default;
 };
 
-/// Of one passage, 1.
+/// Returns the damage of one passage, 1.
 double damage_of(const DamageFunction& function, double t_gamma);
 
 /// Throws InputError unless there are two nodes or more, finite and rising, each with a damage.

@@ -13,7 +13,7 @@ struct StressPeak {
   double depth = 0; ///< below that point along the normal n, mm
 };
 
-/// In the rail (a patch: in the lower body).
+/// Holds the peaks in the rail (a patch: in the lower body).
 struct StressPeaks {
   StressPeak von_mises; ///< equivalent stress of von Mises
   StressPeak tresca;    ///< largest shear stress, half the difference of the outer principal stresses

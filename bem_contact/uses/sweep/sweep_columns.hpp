@@ -32,7 +32,7 @@ bool is_model(const SweepColumn& column);
 std::vector<double> summary_of(const SceneResult& result);
 std::vector<double> summary_of(const WheelsetResult& result); ///< of both wheels
 
-/// Both tables, column by column.
+/// Holds both tables, column by column.
 struct SweepNumbers {
   std::vector<std::vector<double>> cases;   ///< [column][case]; nan where there is no result
   std::vector<std::size_t> patch_case;      ///< [patch]: its case, from 0

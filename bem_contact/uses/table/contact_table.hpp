@@ -45,12 +45,12 @@ struct Column {
   double interpolation_error = std::numeric_limits<double>::quiet_NaN();
   /// Largest error by the size of the elements that a point states, in its unit; nan: not known.
   double element_error = std::numeric_limits<double>::quiet_NaN();
-  /// One for each point, in its unit; the last axis runs fastest: [first axis][second axis]..., unless axes
-  /// are nested.
+  /// There is one value for each point, in its unit; the last axis runs fastest: [first axis][second
+  /// axis]..., unless axes are nested.
   std::vector<double> values{};
 };
 
-/// By what the creepages of a creep table are scaled (creep_table.hpp): Kalker's coefficients over the
+/// Says by what the creepages of a creep table are scaled (creep_table.hpp): Kalker's coefficients over the
 /// ellipse, linear between the points.
 struct CreepScale {
   std::vector<double> log10_a_over_b{}; ///< of the semi-axes along x and s, increasing, 1

@@ -24,7 +24,7 @@ record::Record record_of(const ContactTable& table);
 /// Writes it as HDF5, after `head`, which begins with the format (record/file_kinds.hpp).
 void write_table(const std::filesystem::path& file, const record::Record& head, const ContactTable& table);
 
-/// The same numbers as plain text, for languages in which HDF5 is a burden. Blanks separate:
+/// Returns the same numbers as plain text, for languages in which HDF5 is a burden. Blanks separate:
 ///     bem_contact_table 3
 ///     AXES COLUMNS SCALES                   (SCALES: points of the creep scale, 0 of a scene)
 ///     n of each axis
