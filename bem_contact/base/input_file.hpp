@@ -11,8 +11,8 @@
 
 namespace bem_contact {
 
-/// Whether there is something of that name, and whether it is a regular file. False, not an exception, for a
-/// name that is too long or a link that leads back to itself.
+/// Says whether there is something of that name, and whether it is a regular file. False, not an exception,
+/// for a name that is too long or a link that leads back to itself.
 bool file_exists(const std::filesystem::path& file);
 bool is_regular(const std::filesystem::path& file);
 

@@ -130,7 +130,7 @@ public:
 
   /// Says after read() whether the file has the key. Checks across keys use it.
   bool has(std::string_view path) const { return lines_.contains(std::string(path)); }
-  /// Whether the file gives the key another value than its default.
+  /// Says whether the file gives the key another value than its default.
   bool changed(std::string_view path) const;
   [[noreturn]] void refuse(std::string_view path, std::string_view why, std::string_view what_to_do) const;
 

@@ -53,7 +53,7 @@ private:
   std::string warning_;
 };
 
-/// Whether a file begins as such a journal does; false for all but regular files.
+/// Says whether a file begins as such a journal does; false for all but regular files.
 bool is_journal(const std::filesystem::path& file, const JournalKind& kind);
 
 /// Calls `seen` with each complete record of a journal. Returns how many bytes are whole (0: none, or no

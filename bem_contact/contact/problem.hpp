@@ -93,19 +93,19 @@ struct ContactProblem : ContactQuestion {
   double falling_factor(int row, double slip_velocity) const {
     return falling.empty() ? 1 : falling[falling.size() == 1 ? 0 : row].factor(slip_velocity);
   }
-  /// Whether mu depends on the slip velocity.
+  /// Says whether mu depends on the slip velocity.
   bool friction_falls() const {
     return std::any_of(falling.begin(), falling.end(), [](const auto& law) { return law.ratio != 1; });
   }
-  /// Whether mu depends on the temperature of the surfaces.
+  /// Says whether mu depends on the temperature of the surfaces.
   bool friction_falls_with_heat() const {
     return heating && heating->friction && heating->friction->ratio != 1;
   }
-  /// Whether mu depends on slip velocity or temperature.
+  /// Says whether mu depends on slip velocity or temperature.
   bool friction_varies() const { return friction_falls() || friction_falls_with_heat(); }
   /// Coulomb's law with one mu for adhesion and slip.
   bool is_coulomb() const { return kinetic == 1 && !friction_varies(); }
-  /// Whether there is a tangential problem at all.
+  /// Says whether there is a tangential problem at all.
   bool has_friction() const { return tangential && largest_friction() > 0; }
   /// The slip along s on a row under a unit creepage along s: cos(delta - reference_delta).
   double lateral_share(int row) const { return std::cos(rows[row].delta - reference_delta); }

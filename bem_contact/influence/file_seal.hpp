@@ -19,7 +19,7 @@ inline constexpr std::size_t seal_size = 512;
 /// Writes the seal over the first 512 bytes of a complete file in memory.
 void seal(std::span<std::byte> whole_file, int format_major, int format_minor);
 
-/// Whether a file begins as a seal does, damaged or not; false where it cannot be read.
+/// Says whether a file begins as a seal does, damaged or not; false where it cannot be read.
 bool begins_with_seal(const std::filesystem::path& file);
 
 /// The checksum of a file whose seal holds, as hexadecimal text. Throws InputError for a file that is

@@ -249,7 +249,7 @@ struct NamedFile {
   std::string name;           ///< as the scene gives it
   std::filesystem::path file; ///< in the scene's folder
 };
-/// Whether a key names a profile, as "rail.profile" and "wheelset.left_rail_profile" do.
+/// Says whether a key names a profile, as "rail.profile" and "wheelset.left_rail_profile" do.
 bool names_profile(std::string_view key);
 /// Says the same of influence files.
 bool names_influence(std::string_view key);

@@ -54,7 +54,7 @@ struct SweepFile {
   std::string describe(std::size_t index) const;
 };
 
-/// Whether a scene has a table [sweep].
+/// Says whether a scene has a table [sweep].
 bool has_sweep(const SceneText& given);
 
 /// Throws InputError for a file without [sweep], an empty or endless range, a zip of lists of unequal

@@ -17,7 +17,7 @@ void warn_of_kilonewtons(const char* key, double force, int wheels, std::vector<
 /// What is wrong with inclining a rail by `cant` (rad) that its file has inclined already; "": nothing.
 std::string inclined_twice(const RailInclination& rail, double cant);
 
-/// Whether gauge and flange backs place the bodies, not coordinates of their own.
+/// Says whether gauge and flange backs place the bodies, not coordinates of their own.
 bool by_gauge_and_flange(const SceneFile& scene);
 
 /// What is wrong with a wheel whose flange, at lateral displacement 0, stands where the rail's gauge face is;

@@ -108,7 +108,7 @@ struct SceneResult {
   PhaseSeconds seconds;                      ///< what the call took
 };
 
-/// Whether every step is a solution, the last one by its certificate.
+/// Says whether every step is a solution, the last one by its certificate.
 inline bool certified(const SceneResult& r) {
   return r.result.certificate.holds() && std::ranges::all_of(r.history, &ContactResult::converged);
 }

@@ -24,8 +24,8 @@ struct BodyMotion {
 /// and of the surfaces in contact.
 struct StructuralResult {
   std::optional<BodyMotion> rail, wheel; ///< nothing: its compliance is not included
-  /// Whether the bodies stand where this motion takes them (StructuralMotion::placed); else the geometry is
-  /// that of the undeformed position.
+  /// Says whether the bodies stand where this motion takes them (StructuralMotion::placed); else the geometry
+  /// is that of the undeformed position.
   bool placed = false;
   /// How far along y the wheel is moved so that it slides along the rail as the surfaces in contact do, mm;
   /// nothing where the geometry does not follow them.

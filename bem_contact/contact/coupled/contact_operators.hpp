@@ -100,10 +100,10 @@ private:
   ContactProblem& problem_;
 };
 
-/// Whether a tangential traction causes normal displacements, or the other way round, beyond rounding.
+/// Says whether a tangential traction causes normal displacements, or the other way round, beyond rounding.
 bool numbers_couple(const InfluenceNumbers& numbers);
 
-/// Whether shear tractions as large as a pressure can cause normal displacements of more than `share` of
+/// Says whether shear tractions as large as a pressure can cause normal displacements of more than `share` of
 /// those of the pressure. If no element displaces another by more than this share, no sum of them does.
 bool shear_moves_normal(const InfluenceNumbers& numbers, double share);
 

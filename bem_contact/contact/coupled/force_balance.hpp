@@ -22,8 +22,8 @@ public:
   /// The pressure force to try after `pressed` (> 0) was seen to carry `borne` = N + S, N.
   double next(double pressed, double borne);
 
-  /// Whether the largest pressure force that is tried (settings.hpp: largest_force_ratio) does not carry the
-  /// force. Then nothing does: friction pulls the bodies together as hard as they press each other apart.
+  /// Says whether the largest pressure force that is tried (settings.hpp: largest_force_ratio) does not carry
+  /// the force. Then nothing does: friction pulls the bodies together as hard as they press each other apart.
   bool at_the_most(double pressed, double borne) const;
 
 private:

@@ -12,7 +12,7 @@ public:
 
   /// Tolerance of the next outer iteration.
   double now() const { return now_; }
-  /// Whether an outer iteration that changes so little (relative) may be the last.
+  /// Says whether an outer iteration that changes so little (relative) may be the last.
   bool is_close(double change) const;
   /// Says whether the outer iteration is the last one: it is close, and was solved precisely too.
   bool is_settled(double change) const { return is_close(change) && now_ <= asked_; }

@@ -38,8 +38,8 @@ struct Boxes {
 /// several would save little. `same_columns`: all boxes have the same columns.
 Boxes boxes_around(std::span<const int> elements, const ContactGrid& grid, int margin, bool same_columns);
 
-/// Whether boxes made earlier serve these elements: they cover them, and are not much larger than `needed`,
-/// the boxes that would be made for them.
+/// Says whether boxes made earlier serve these elements: they cover them, and are not much larger than
+/// `needed`, the boxes that would be made for them.
 bool serve(const Boxes& earlier, const Boxes& needed, std::span<const int> elements, int grid_mx);
 
 } // namespace bem_contact::contact

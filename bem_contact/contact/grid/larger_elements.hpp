@@ -26,7 +26,7 @@ public:
   }
 
   ContactGrid grid() const;
-  /// Whether both join the same elements of a grid, wherever it lies along x.
+  /// Says whether both join the same elements of a grid, wherever it lies along x.
   bool joins_like(const LargerElements& other) const { return x_ == other.x_ && s_ == other.s_; }
   /// Mean over the joined elements; fields.
   std::vector<double> mean(const std::vector<double>& field) const;

@@ -18,8 +18,8 @@ struct SectionPiece {
 /// Throws InputError for unknown names.
 std::vector<SectionPiece> rail_section(std::string_view name);
 
-/// Whether web and foot are the standard's to the printed figure (60E1, 60E2). Those of 54E1 and 46E3 are
-/// REPRESENTATIVE: height, foot width and web thickness of the standard, A, Ix and Iy within 0.1 % of its
+/// Says whether web and foot are the standard's to the printed figure (60E1, 60E2). Those of 54E1 and 46E3
+/// are REPRESENTATIVE: height, foot width and web thickness of the standard, A, Ix and Iy within 0.1 % of its
 /// figures.
 bool is_exact_rail_section(std::string_view name);
 

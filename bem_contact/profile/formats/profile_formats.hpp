@@ -14,7 +14,7 @@ namespace bem_contact {
 MeasuredPoints points_of(std::string_view text, const std::string& source, ProfileKind kind, int part,
                          bool left);
 
-/// Whether the text is a MiniProf file: "Key=Value" lines (.ban, .whl), sections [Profile1Info],
+/// Says whether the text is a MiniProf file: "Key=Value" lines (.ban, .whl), sections [Profile1Info],
 /// [Profile1Points] (.mpt), or the older variant that begins with "#MINIWHEELPROF" and ends its header with
 /// an empty line.
 bool is_miniprof(std::string_view text);
@@ -24,7 +24,7 @@ bool is_miniprof(std::string_view text);
 /// part that is not there or not said.
 MeasuredPoints miniprof_points(std::string_view text, const std::string& source, int part = 0);
 
-/// Whether the text is a Simpack file (.prr, .prw).
+/// Says whether the text is a Simpack file (.prr, .prw).
 bool is_simpack(std::string_view text);
 /// Its points in mm. The format states its axes: z down, y to the field side. The flags are applied in the
 /// order in which the file numbers them: 1 point.dist.min, 2 shift, 3 rotate (about x, from y towards z), 4
@@ -33,7 +33,7 @@ bool is_simpack(std::string_view text);
 /// be honoured.
 MeasuredPoints simpack_points(std::string_view text, const std::string& source, ProfileKind kind);
 
-/// Whether the text is a Vampire profile (.whe, .rai): its first line is WHEELPROFILE or RAILPROFILE.
+/// Says whether the text is a Vampire profile (.whe, .rai): its first line is WHEELPROFILE or RAILPROFILE.
 bool is_vampire(std::string_view text);
 /// The points of the right-hand profile, or of the left-hand one as seen from the other end of the vehicle.
 /// The file has four columns: y and z on the left, y and z on the right, y from the track's centre. Wheel: y

@@ -25,7 +25,7 @@ struct PointOnNominal {
 };
 PointOnNominal seen_from(const ProfileCurve& nominal, Point2 measured, const NominalPlace& place);
 
-/// Whether a curve is walked as a wheel is, towards -y.
+/// Says whether a curve is walked as a wheel is, towards -y.
 bool is_wheel(const ProfileCurve& curve);
 
 /// A place of a nominal profile on measured points, and how well it is known.

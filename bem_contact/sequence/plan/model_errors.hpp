@@ -26,7 +26,7 @@ struct PrescribedMotion {
   bool structures = false; ///< structural motion is to be included
 };
 PrescribedMotion prescribed_of(const ContactCase& asked);
-/// Whether the scene names influence files of both bodies.
+/// Says whether the scene names influence files of both bodies.
 bool names_bodies(const ContactCase& asked);
 
 /// What the predictions know of a contact.

@@ -30,7 +30,7 @@ PlacedSolution solve_on_placed_bodies(const ContactCase& asked, const SceneFile:
                                       ContactOnGrid first, const SolveTask& task,
                                       const SolveResources& resources);
 
-/// Whether the geometry follows the contact's own motion (solver.contact_motion), too.
+/// Says whether the geometry follows the contact's own motion (solver.contact_motion), too.
 bool is_placed_by_contact(const SceneFile& scene);
 
 /// The approach less the structural motion at the contact, mm; without structural motion the approach itself.

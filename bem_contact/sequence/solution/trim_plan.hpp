@@ -4,7 +4,7 @@
 
 namespace bem_contact {
 
-/// Whether the influence numbers on a plan depend on both rows and take large_numbers or more, where the
+/// Says whether the influence numbers on a plan depend on both rows and take large_numbers or more, where the
 /// scene leaves it open which rows and columns are solved.
 bool has_large_numbers(const ContactCase& asked, const GridPlan& plan, Model model);
 

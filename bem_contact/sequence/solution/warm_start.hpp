@@ -24,8 +24,8 @@ struct FormerSolution {
 std::optional<FormerSolution> former_of(Model model, const ContactProblem& problem,
                                         const ContactResult& result, const ContactEstimate& estimate);
 
-/// Whether the two have as many areas, each of them over its counterpart. If not, neither is a start for the
-/// other.
+/// Says whether the two have as many areas, each of them over its counterpart. If not, neither is a start for
+/// the other.
 bool alike(const std::vector<PotentialArea>& a, const std::vector<PotentialArea>& b);
 
 /// Says where the elements in contact of `former` are expected, by their middles, and takes all of an area in

@@ -77,9 +77,10 @@ struct PatchFatigue {
   double t_gamma = 0;       ///< what friction dissipates by rolled distance, spin included, N
   double damage = 0;        ///< by passage, 1
 
-  /// Whether the shakedown limit of the surface is exceeded.
+  /// Says whether the shakedown limit of the surface is exceeded.
   bool beyond_surface() const { return surface_index > 0; }
-  /// Whether the limit below the surface is exceeded. That may be so where beyond_surface() is true, too.
+  /// Says whether the limit below the surface is exceeded. That may be so where beyond_surface() is true,
+  /// too.
   bool beyond_below() const { return point.load > limit_below; }
 };
 
