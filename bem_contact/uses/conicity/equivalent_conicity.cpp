@@ -115,7 +115,7 @@ std::optional<EquivalentConicity> equivalent_conicity(std::span<const RadiusDiff
                          .wavelength = std::numeric_limits<double>::infinity(),
                          .from = f[lowest].lateral - from,
                          .to = f[lowest].lateral + to};
-  if (from + to > 2 * amplitude + width_tolerance)
+  if (from + to > 2 * amplitude + conicity::width_tolerance)
     return std::nullopt;
   const double er = lengths.contact_distance * lengths.wheel_radius;
   out.wavelength = 2 * std::sqrt(0.5 * er) * (time_on(right, high, to) + time_on(left, high, from));

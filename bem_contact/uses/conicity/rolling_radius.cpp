@@ -51,7 +51,7 @@ WheelsetStand rolled(const WheelsetOnTrack& wheelset, double lateral) {
     left = lowered(wheelset, WheelSide::left, lateral, roll);
     return right.down - left.down;
   };
-  const double roll = level_roll(unequal, 0, wheelset.contact_distance(), height_difference);
+  const double roll = level_roll(unequal, 0, wheelset.contact_distance(), conicity::height_difference);
   return {lateral, roll, right.touch, left.touch};
 }
 
@@ -63,8 +63,8 @@ double move(const WheelTouch& a, const WheelTouch& b) {
 void refine(const WheelsetOnTrack& wheelset, const WheelsetStand& from, const WheelsetStand& to,
             std::vector<WheelsetStand>& out, const std::atomic<bool>* stop) {
   end_if_stopped(stop);
-  const bool fast = std::max(move(from.right, to.right), move(from.left, to.left)) > largest_move;
-  if (fast && std::abs(to.lateral - from.lateral) > 2 * smallest_lateral_step) {
+  const bool fast = std::max(move(from.right, to.right), move(from.left, to.left)) > conicity::largest_move;
+  if (fast && std::abs(to.lateral - from.lateral) > 2 * conicity::smallest_lateral_step) {
     const WheelsetStand middle = stand(wheelset, 0.5 * (from.lateral + to.lateral));
     refine(wheelset, from, middle, out, stop);
     refine(wheelset, middle, to, out, stop);
@@ -77,7 +77,7 @@ void refine(const WheelsetOnTrack& wheelset, const WheelsetStand& from, const Wh
 std::vector<WheelsetStand> one_side(const WheelsetOnTrack& wheelset, const WheelsetStand& middle, double end,
                                     const std::atomic<bool>* stop) {
   std::vector<WheelsetStand> stands;
-  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(end) / lateral_step - 1e-9)));
+  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(end) / conicity::lateral_step - 1e-9)));
   try {
     WheelsetStand last = middle;
     for (int i = 1; i <= steps; ++i) {

@@ -47,9 +47,9 @@ struct WheelsetStand {
 WheelsetStand stand(const WheelsetOnTrack& wheelset, double lateral);
 
 /// The wheelset at lateral displacements from -reach to reach (mm), ascending, in steps of at most
-/// lateral_step, and finer where a contact point moves fast or jumps (settings.hpp). Ends earlier on a side
-/// where a wheel finds no touch point. Throws InputError where it finds none at 0, and unless 0 < reach <= 50
-/// mm; Stopped soon after another thread sets `stop`.
+/// conicity::lateral_step, and finer where a contact point moves fast or jumps (settings.hpp). Ends earlier
+/// on a side where a wheel finds no touch point. Throws InputError where it finds none at 0, and unless 0 <
+/// reach <= 50 mm; Stopped soon after another thread sets `stop`.
 std::vector<WheelsetStand> rolling_radius_difference(const WheelsetOnTrack& wheelset, double reach,
                                                      const std::atomic<bool>* stop = nullptr);
 

@@ -3,7 +3,7 @@
 #include "bem_contact/base/tuned.hpp"
 
 /// The tuned numbers of this room (base/tuned.hpp).
-namespace bem_contact {
+namespace bem_contact::conicity {
 
 /// mm. Lateral displacements of the table are at most this far apart. The standard's reference functions have
 /// this step.
@@ -28,4 +28,4 @@ BEM_CONTACT_TUNED(double, middle_reach, 1.0);
 /// 1. tan gamma in the middle below which the cone is called negative: less is a cylinder, and rounding.
 BEM_CONTACT_TUNED(double, least_negative_cone, -1e-5);
 
-} // namespace bem_contact
+} // namespace bem_contact::conicity

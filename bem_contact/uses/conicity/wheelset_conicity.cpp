@@ -44,17 +44,17 @@ void warn_of_negative_cone(std::span<const RadiusDifference> function) {
   const std::optional<double> middle = middle_of_motion(function);
   if (!middle)
     return;
-  const double rise =
-      difference_at(function, *middle + middle_reach) - difference_at(function, *middle - middle_reach);
-  const double tan_gamma = rise / (4 * middle_reach);
-  if (tan_gamma < least_negative_cone)
+  const double rise = difference_at(function, *middle + conicity::middle_reach) -
+                      difference_at(function, *middle - conicity::middle_reach);
+  const double tan_gamma = rise / (4 * conicity::middle_reach);
+  if (tan_gamma < conicity::least_negative_cone)
     messages()->warn("the cone is negative in the middle: at a lateral displacement of {:.2f} mm tan gamma "
                      "is {:.4f} (over {:g} mm "
                      "to either side), so that nothing holds the wheelset there, and it runs to one side "
                      "until its flange root "
                      "steers it back. A conicity whose motion does not pass this place is about another one, "
                      "beside the middle",
-                     *middle, tan_gamma, middle_reach);
+                     *middle, tan_gamma, conicity::middle_reach);
 }
 
 } // namespace
@@ -105,7 +105,8 @@ WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplit
         "are allowed",
         "Give both in mm, as 10 and 1.");
   WheelsetConicity out{.lengths = {wheelset.contact_distance(), wheelset.position.wheel_radius},
-                       .stands = rolling_radius_difference(wheelset, largest + beyond_amplitude, stop),
+                       .stands =
+                           rolling_radius_difference(wheelset, largest + conicity::beyond_amplitude, stop),
                        .values = {}};
   std::vector<RadiusDifference> function;
   for (const WheelsetStand& s : out.stands)
