@@ -177,8 +177,8 @@ void warn_of_accuracy(const SceneFile::Grid& asked, const std::string& why, Scen
 void warn_of_lateral(const SceneFile& asked, std::optional<double> at_start, SceneResult& out) {
   const LateralPosition& found = *out.found_lateral;
   if (std::isnan(found.error)) {
-    const double likely_error = even_lateral_force * std::hypot(out.result.Fy, out.result.Fz);
-    if (likely_error > unsure_lateral * std::abs(found.slope))
+    const double likely_error = lateral::uneven * std::hypot(out.result.Fy, out.result.Fz);
+    if (likely_error > lateral::unsure * std::abs(found.slope))
       out.warnings.push_back(fmt::format(
           "load.force_y says little of the lateral displacement (Fy changes by {:.3g} N per mm at "
           "{:.2f} mm, and its error is not known) Give position.lateral without load.force_y, or "
@@ -186,7 +186,7 @@ void warn_of_lateral(const SceneFile& asked, std::optional<double> at_start, Sce
           found.slope, found.lateral));
     return;
   }
-  if (found.error <= unsure_lateral)
+  if (found.error <= lateral::unsure)
     return;
   const double force_error = out.result.discretisation->errors.Fy;
   out.warnings.push_back(

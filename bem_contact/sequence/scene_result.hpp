@@ -57,8 +57,8 @@ struct LateralPosition {
   double lateral = 0;           ///< position.lateral, mm
   double slope = 0;             ///< dFy/dy there, N/mm
   double error = unknown_error; ///< of the displacement, mm: so far away Fy is the same within its own error
-  std::vector<double>
-      others; ///< other displacements with the same force, to some hundredths of a millimetre, mm
+  std::vector<double> others; ///< others with the same force, to some tenths of a millimetre, mm; looked for
+                              ///< where the start is none
 };
 
 /// Mz about the vertical axis through the reference point, N mm.

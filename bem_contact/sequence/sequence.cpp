@@ -5,6 +5,7 @@
 #include "bem_contact/sequence/asked_error.hpp"
 #include "bem_contact/sequence/describe_case.hpp"
 #include "bem_contact/sequence/lateral/lateral_search.hpp"
+#include "bem_contact/sequence/lateral/settings.hpp"
 #include "bem_contact/sequence/numbers/sequence_files.hpp"
 #include "bem_contact/sequence/plan/contact_case.hpp"
 #include "bem_contact/sequence/plan/contact_estimate.hpp"
@@ -214,6 +215,31 @@ SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const
   LateralSearch search(
       {wanted, start, std::hypot(wanted, *scene.load.force)},
       [&](double lateral) { return rough_lateral_force(rough, lateral, task); }, memory.known);
+  const bool choose = !scene.solver.model || scene.grid.elements || scene.grid.accuracy;
+  SceneTask choosing = task;
+  choosing.lateral_force = choose;
+  const auto at_start = [&]() -> std::optional<SceneResult> {
+    try {
+      if (search.start_may_bear())
+        return solve_at_position(with_lateral(scene, start), choosing);
+    } catch (const InputError&) { // the search may lead to where there is a solution
+    } catch (const ConvergenceError&) {
+    }
+    return std::nullopt;
+  };
+  const std::optional<SceneResult> first = at_start();
+  const std::optional<double> force_there = first ? lateral_force_of(*first) : std::nullopt;
+  const bool is_there = force_there && search.met(*force_there);
+  const auto tell = [&](SceneResult& out, double lateral) {
+    const double error = out.result.discretisation ? out.result.discretisation->errors.Fy : unknown_error;
+    out.found_lateral = search.describe(lateral, error);
+    warn_of_lateral(scene, is_there ? force_there : search.force_at_start(), out);
+  };
+  if (is_there) {
+    SceneResult out = *first;
+    tell(out, start);
+    return out;
+  }
   if (!search.passes())
     describe_case(prepare(with_lateral(scene, start),
                           {.read_influence = true})); // a scene that cannot be solved anywhere says why
@@ -222,11 +248,11 @@ SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const
   asked.load.force_y.reset();
   std::optional<SceneResult> chosen;
   std::string limit = "all displacements are tried on the elements of the first one";
-  if (!scene.solver.model || scene.grid.elements ||
-      scene.grid.accuracy) { // the same model and elements all the way
-    SceneTask choosing = task;
-    choosing.lateral_force = true;
-    chosen = solve_at_position(with_lateral(scene, search.guess()), choosing);
+  if (choose) { // the same model and elements all the way
+    const double guess = search.guess();
+    chosen = first && std::abs(guess - start) <= lateral::spacing
+                 ? first
+                 : solve_at_position(with_lateral(scene, guess), choosing);
     const ContactGrid& grid = chosen->problem.grid;
     asked = with_elements(with_model(std::move(asked), chosen->model), grid.dx, grid.ds);
     if (scene.grid.accuracy && asked_error(scene.grid, *chosen) > *scene.grid.accuracy)
@@ -237,6 +263,8 @@ SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const
   if (memory.exact != on_the_way)
     memory.known.exact.clear();
   memory.exact = on_the_way;
+  if (force_there && (!choose || chosen->lateral == start))
+    search.learn({start, *force_there});
   SceneTask totals = task;
   totals.totals_only = true;
   const double lateral = search.find(
@@ -247,10 +275,8 @@ SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const
   out.seconds.search = searched;
   if (chosen)
     take_choice(*chosen, out);
-  const double error = out.result.discretisation ? out.result.discretisation->errors.Fy : unknown_error;
-  out.found_lateral = search.describe(lateral, error);
+  tell(out, lateral);
   warn_of_accuracy(scene.grid, limit, out);
-  warn_of_lateral(scene, search.force_at_start(), out);
   return out;
 }
 

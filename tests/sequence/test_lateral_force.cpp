@@ -52,7 +52,7 @@ TEST(LateralForce, EachBranchIsFound) {
   const std::vector<double> high = displacements(tread_and_flange, 5000);
   ASSERT_EQ(high.size(), 2u);
   for (const double y : high)
-    EXPECT_NEAR(*tread_and_flange(y), 5000, 200); // the other one to other_lateral_width
+    EXPECT_NEAR(*tread_and_flange(y), 5000, 200);
   EXPECT_EQ(displacements(tread_and_flange, 250).size(), 3u)
       << "tread, flange before and behind its steepest place";
   EXPECT_THAT(message_of([] { displacements(tread_and_flange, 1e6); }),
@@ -134,6 +134,16 @@ TEST(LateralForce, TheForceIsMetFromAStartNearby) {
   EXPECT_LE(calls, 12);
 }
 
+/// A slope that misleads costs steps, and not the answer.
+TEST(LateralForce, TheForceIsMetOnEitherSideOfTheStart) {
+  const LateralForce tread = [](double y) { return std::optional(50 * y + 20 * std::sin(30 * y)); };
+  for (const double slope : {60.0, -60.0}) {
+    const double y = solve_lateral_force(tread, 0, {0.7, slope}, 1e-3);
+    EXPECT_NEAR(*tread(y), 0, 1e-3);
+    EXPECT_LT(std::abs(y), 0.7);
+  }
+}
+
 TEST(LateralForce, AJumpOverTheForceIsNoSolution) {
   const LateralForce jump = [](double y) -> std::optional<double> { return y < 0.1 ? 0.0 : 1e4 + y; };
   EXPECT_THAT(
@@ -177,6 +187,34 @@ TEST(PrescribedLateralForce, FindsThePositionThatBearsIt) {
   EXPECT_LT(*next.lateral, 6.62);
 }
 
+/// A start that bears the force is the answer: one solution, and few rough ones for its error.
+TEST(PrescribedLateralForce, AStartThatIsASolutionIsSolvedOnce) {
+  for (const double lateral : {6.62, 0.0}) {
+    const SceneResult there = Sequence().solve(rolling_at(lateral));
+    Sequence sequence;
+    const SceneResult again =
+        sequence.solve(rolling_at(lateral, fmt::format("load.force_y = {:.17g}\n", there.result.Fy)));
+    ASSERT_TRUE(again.found_lateral);
+    EXPECT_EQ(again.found_lateral->lateral, lateral);
+    EXPECT_EQ(again.result.Fy, there.result.Fy);
+    EXPECT_EQ(sequence.counts().solves, 1);
+    EXPECT_LE(sequence.counts().rough, 20) << "12 mm in doubling steps to either side";
+    EXPECT_NE(again.found_lateral->slope, 0);
+  }
+}
+
+/// From beside the greatest force of the flange, where one rough solution misses the model's by much.
+TEST(PrescribedLateralForce, AForceNearTheGreatestIsFound) {
+  const std::string more = "motion.frictionless = true\nposition.cant = 0.05\n";
+  const double force = Sequence().solve(rolling_at(6.75, more)).result.Fy;
+  for (const double start : {6.65, 6.85}) {
+    const SceneResult found =
+        Sequence().solve(rolling_at(start, more + fmt::format("load.force_y = {:.17g}\n", force)));
+    EXPECT_NEAR(found.result.Fy, force, 0.3);
+    EXPECT_NEAR(found.found_lateral->lateral, 6.75, 1e-3);
+  }
+}
+
 TEST(PrescribedLateralForce, ATreadWhoseForceSaysLittleIsFoundWithinTheStatedError) {
   NEEDS_NO_SANITIZER();
   // With friction, forces on the tread lie within 500 N over 6 mm, and each has an error of some ten newtons.
@@ -194,7 +232,7 @@ TEST(PrescribedLateralForce, ATreadWhoseForceSaysLittleIsFoundWithinTheStatedErr
       ASSERT_TRUE(found.found_lateral);
       EXPECT_NEAR(found.result.Fy, force, 0.2);
       EXPECT_NEAR(found.found_lateral->lateral, lateral, found.found_lateral->error);
-      EXPECT_GT(found.found_lateral->error, unsure_lateral);
+      EXPECT_GT(found.found_lateral->error, lateral::unsure);
       EXPECT_LT(std::abs(found.found_lateral->slope), 2000);
       EXPECT_THAT(found.warnings,
                   Contains(HasSubstr("load.force_y says little of the lateral displacement")));

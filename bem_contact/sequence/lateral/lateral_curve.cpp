@@ -2,6 +2,8 @@
 
 #include "bem_contact/sequence/lateral/settings.hpp"
 
+#include <boost/math/tools/minima.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -13,45 +15,54 @@ namespace {
 
 using Point = LateralCurve::Point;
 
-/// Second derivative of the parabola through three points that have a force, N/mm2.
-double curvature(const Point& a, const Point& b, const Point& c) {
-  const double left = (*b.force - *a.force) / (b.lateral - a.lateral);
-  const double right = (*c.force - *b.force) / (c.lateral - b.lateral);
-  return 2 * (right - left) / (c.lateral - a.lateral);
-}
-
-/// How far the curve may depart from the line between points[i] and points[i + 1], N, by the points beside.
-double bend(const std::vector<Point>& points, std::size_t i) {
-  const auto of = [&](std::size_t first) {
-    const bool known = first + 2 < points.size() && points[first].force && points[first + 2].force;
-    return known ? std::abs(curvature(points[first], points[first + 1], points[first + 2])) : 0.0;
-  };
-  const double width = points[i + 1].lateral - points[i].lateral;
-  return std::max(i > 0 ? of(i - 1) : 0.0, of(i)) * width * width / 8;
+/// By how much the parabola through three points exceeds the force of the middle one, N, on the side of
+/// `sign`. Nothing where the middle one is no extremum on that side.
+std::optional<double> exceeds_middle(const Point& a, const Point& b, const Point& c, double sign) {
+  if (sign * (*b.force - *a.force) <= 0 || sign * (*b.force - *c.force) < 0)
+    return std::nullopt;
+  const double left = (*b.force - *a.force) / (b.lateral - a.lateral),
+               right = (*c.force - *b.force) / (c.lateral - b.lateral),
+               second = 2 * (right - left) / (c.lateral - a.lateral),
+               first = left + 0.5 * second * (b.lateral - a.lateral);
+  return 0.5 * first * first / std::abs(second);
 }
 
 } // namespace
 
-LateralCurve::LateralCurve(LateralForce rough, double around, double resultant, KnownLateralForces& known)
-    : rough_(std::move(rough)), resultant_(resultant), known_(known) {
-  const int each_side = static_cast<int>(std::lround(lateral_reach / first_lateral_samples));
-  for (int i = -each_side; i <= each_side; ++i)
-    this->rough(around + i * first_lateral_samples);
-}
+LateralCurve::LateralCurve(LateralForce rough, double resultant, KnownLateralForces& known)
+    : rough_(std::move(rough)), resultant_(resultant), known_(known) {}
 
-/// Of a sample, which is kept.
 std::optional<double> LateralCurve::rough(double lateral) {
   const auto there = known_.rough.find(lateral);
   return there != known_.rough.end() ? there->second : known_.rough[lateral] = rough_(lateral);
 }
 
-double LateralCurve::missed(double lateral) const {
-  const auto at = [](const auto& known) {
-    return known.second.rough ? known.second.force - *known.second.rough : 0.0;
+/// By how much the rough force misses the model's at a displacement where both are known, N, as far as it
+/// may do so elsewhere. The rough curve is off in the force and in the displacement. Where it is steep most
+/// of a miss is of the second kind, and says nothing of other places: both are weighed by what they usually
+/// are.
+double LateralCurve::missed_at(double lateral, const KnownLateralForces::Exact& known) const {
+  if (!known.rough)
+    return 0;
+  double steepest = 0;
+  const auto look = [&](const std::pair<const double, std::optional<double>>& beside) {
+    if (beside.second)
+      steepest = std::max(steepest, std::abs((*beside.second - *known.rough) / (beside.first - lateral)));
   };
-  const auto above = known_.exact.lower_bound(lateral);
+  if (const auto above = known_.rough.lower_bound(lateral + lateral::unsure); above != known_.rough.end())
+    look(*above);
+  if (const auto above = known_.rough.upper_bound(lateral - lateral::unsure); above != known_.rough.begin())
+    look(*std::prev(above));
+  const double in_force = lateral::uneven * resultant_, in_displacement = lateral::unsure * steepest;
+  const double share = in_displacement > in_force ? in_force / in_displacement : 1;
+  return share * share * (known.force - *known.rough);
+}
+
+double LateralCurve::missed(double lateral) const {
+  const auto at = [&](const auto& known) { return missed_at(known.first, known.second); };
   if (known_.exact.empty())
     return 0;
+  const auto above = known_.exact.lower_bound(lateral);
   if (above == known_.exact.end())
     return at(*std::prev(above));
   if (above == known_.exact.begin())
@@ -61,104 +72,96 @@ double LateralCurve::missed(double lateral) const {
 }
 
 std::optional<double> LateralCurve::operator()(double lateral) {
-  if (const auto exact = known_.exact.find(lateral); exact != known_.exact.end())
-    return exact->second.force;
-  const std::optional<double> there = rough_(lateral);
+  if (const std::optional<double> there = exact(lateral))
+    return there;
+  const std::optional<double> there = rough(lateral);
   return there ? std::optional(*there + missed(lateral)) : std::nullopt;
 }
 
 void LateralCurve::learn(const LateralSample& exact) {
-  const auto sample = known_.rough.find(exact.lateral);
-  known_.exact[exact.lateral] = {exact.force,
-                                 sample != known_.rough.end() ? sample->second : rough_(exact.lateral)};
+  known_.exact[exact.lateral] = {exact.force, rough(exact.lateral)};
 }
 
-std::vector<Point> LateralCurve::samples() const {
-  std::vector<Point> out;
-  for (const auto& [lateral, force] : known_.rough)
-    out.push_back({lateral, force ? std::optional(*force + missed(lateral)) : std::nullopt, false});
+std::optional<double> LateralCurve::exact(double lateral) const {
+  const auto there = known_.exact.find(lateral);
+  return there != known_.exact.end() ? std::optional(there->second.force) : std::nullopt;
+}
+
+std::optional<LateralSample> LateralCurve::exact_beside(double lateral, int direction) const {
+  const auto above = direction < 0 ? known_.exact.upper_bound(lateral) : known_.exact.lower_bound(lateral);
+  if (above == (direction < 0 ? known_.exact.begin() : known_.exact.end()))
+    return std::nullopt;
+  const auto there = direction < 0 ? std::prev(above) : above;
+  return LateralSample{there->first, there->second.force};
+}
+
+std::optional<LateralSample> LateralCurve::nearest_exact(double wanted) const {
+  std::optional<LateralSample> out;
+  for (const auto& [lateral, known] : known_.exact)
+    if (!out || std::abs(known.force - wanted) < std::abs(out->force - wanted))
+      out = {lateral, known.force};
   return out;
 }
 
-/// A sample more in the middle of each interval where the curve ends, or bends so much that it may pass
-/// `wanted` unseen. False if there is none.
-bool LateralCurve::refine(double wanted) {
-  const std::vector<Point> points = samples();
-  std::vector<double> more;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const Point &a = points[i], &b = points[i + 1];
-    if (b.lateral - a.lateral < 1.5 * lateral_step || (!a.force && !b.force))
+std::optional<double> LateralCurve::slope_beside(const LateralSample& here, double telling) const {
+  std::optional<double> slope;
+  double nearest = lateral::spacing;
+  for (const auto& [lateral, known] : known_.exact) {
+    const double apart = lateral - here.lateral, more = known.force - here.force;
+    if (std::abs(more) < telling || std::abs(apart) >= nearest)
       continue;
-    bool unseen = !a.force || !b.force;
-    if (!unseen) {
-      const double between = bend(points, i);
-      unseen = between > even_lateral_force * resultant_ &&
-               std::min(*a.force, *b.force) - between <= wanted &&
-               wanted <= std::max(*a.force, *b.force) + between;
+    nearest = std::abs(apart);
+    slope = more / apart;
+  }
+  return slope;
+}
+
+bool LateralCurve::exact_within(double lateral, double distance) const {
+  const auto next = known_.exact.lower_bound(lateral - distance);
+  return next != known_.exact.end() && next->first <= lateral + distance;
+}
+
+void LateralCurve::survey(double around) {
+  const int each_side = static_cast<int>(std::lround(lateral::reach / lateral::spacing));
+  for (int i = -each_side; i <= each_side; ++i)
+    rough(around + i * lateral::spacing);
+  const std::map<double, std::optional<double>> samples = known_.rough;
+  for (auto b = std::next(samples.begin()); b != samples.end(); ++b) {
+    const auto a = std::prev(b);
+    double inside = a->second ? a->first : b->first, outside = a->second ? b->first : a->first;
+    while (a->second.has_value() != b->second.has_value() && std::abs(outside - inside) > lateral::unsure) {
+      const double middle = 0.5 * (inside + outside);
+      (rough(middle) ? inside : outside) = middle;
     }
-    if (unseen)
-      more.push_back(0.5 * (a.lateral + b.lateral));
-  }
-  for (const double lateral : more)
-    rough(lateral);
-  return !more.empty();
-}
-
-/// A sample at each extremum that falls short of `wanted` and whose parabola does hardly.
-void LateralCurve::add_extrema(double wanted) {
-  const std::vector<Point> points = samples();
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    const Point &a = points[i - 1], &b = points[i], &c = points[i + 1];
-    if (!a.force || !b.force || !c.force)
-      continue;
-    const double sign = *b.force < wanted ? 1 : -1;
-    if (sign * (*b.force - *a.force) <= 0 || sign * (*b.force - *c.force) < 0)
-      continue;
-    const double second = curvature(a, b, c);
-    const double first = (*c.force - *a.force) / (c.lateral - a.lateral) +
-                         0.5 * second * (2 * b.lateral - a.lateral - c.lateral);
-    const double beyond = 0.5 * first * first / std::abs(second); // of the parabola's extremum over b
-    const double at = b.lateral - first / second;
-    if (sign * (wanted - *b.force) < 2 * beyond && at > a.lateral && at < c.lateral)
-      rough(at);
   }
 }
 
-std::vector<Point> LateralCurve::points(double wanted) {
-  while (refine(wanted))
-    continue;
-  add_extrema(wanted);
-  std::vector<Point> out = samples();
-  std::erase_if(out, [&](const Point& p) { return known_.exact.contains(p.lateral); });
+std::vector<Point> LateralCurve::points() const {
+  std::vector<Point> out;
+  for (const auto& [lateral, force] : known_.rough)
+    if (!known_.exact.contains(lateral))
+      out.push_back({lateral, force ? std::optional(*force + missed(lateral)) : std::nullopt, false});
   for (const auto& [lateral, known] : known_.exact)
     out.push_back({lateral, known.force, true});
   std::ranges::sort(out, {}, &Point::lateral);
   return out;
 }
 
-LateralSample LateralCurve::leaves(const LateralSample& from, double error, int direction) const {
-  const auto exact = known_.exact.find(from.lateral);
-  const double missing = exact != known_.exact.end() && exact->second.rough
-                             ? from.force - *exact->second.rough
-                             : missed(from.lateral);
-  std::vector<Point> beside = samples();
-  std::erase_if(beside, [&](const Point& p) { return direction * (p.lateral - from.lateral) <= 0; });
-  if (direction < 0)
-    std::ranges::reverse(beside);
-  LateralSample last = from;
-  for (const Point& p : beside) {
-    const std::optional<double> force = known_.rough.at(p.lateral);
-    if (!force)
-      break;
-    const LateralSample next{p.lateral, *force + missing};
-    if (std::abs(next.force - from.force) > error) {
-      const double bound = from.force + std::copysign(error, next.force - from.force);
-      const double share = (bound - last.force) / (next.force - last.force);
-      return {std::lerp(last.lateral, next.lateral, share), bound};
-    }
-    last = next;
+void LateralCurve::survey_extrema(double wanted) {
+  const std::vector<Point> all = points();
+  for (std::size_t i = 1; i + 1 < all.size(); ++i) {
+    const Point &a = all[i - 1], &b = all[i], &c = all[i + 1];
+    if (!a.force || !b.force || !c.force)
+      continue;
+    const double sign = *b.force < wanted ? 1 : -1, misses = std::abs(wanted - *b.force);
+    const std::optional<double> more = exceeds_middle(a, b, c, sign);
+    // A parabola may be off by as much again.
+    if (!more || misses > 2 * *more)
+      continue;
+    const double worst = sign * std::min(sign * *a.force, sign * *c.force);
+    boost::math::tools::brent_find_minima([&](double at) { return -sign * (*this)(at).value_or(worst); },
+                                          a.lateral, c.lateral, extremum_bits);
   }
-  return last;
 }
 
 } // namespace bem_contact

@@ -27,35 +27,49 @@ struct KnownLateralForces {
 /// them.
 class LateralCurve {
 public:
-  /// One displacement of the curve.
+  /// Bits of an extremum's displacement: some hundredths of a millimetre. The force changes by its square.
+  static constexpr int extremum_bits = 10;
+
+  /// One displacement of the curve that is known.
   struct Point {
     double lateral = 0;          ///< mm
     std::optional<double> force; ///< N; nothing where wheel and rail do not meet
     bool exact = false;          ///< of the model itself
+
+    LateralSample sample() const { return {lateral, *force}; } ///< where there is a force
   };
 
-  /// The curve from `around` - lateral_reach to `around` + lateral_reach. `resultant`: of Fy and Fz, N.
-  /// `known` is used and added to.
-  LateralCurve(LateralForce rough, double around, double resultant, KnownLateralForces& known);
+  /// `resultant`: of Fy and Fz, N. `known` is used and added to.
+  LateralCurve(LateralForce rough, double resultant, KnownLateralForces& known);
 
+  /// The rough force at a displacement, which is kept.
+  std::optional<double> rough(double lateral);
   /// The curve at a displacement.
   std::optional<double> operator()(double lateral);
   /// The model's force at a displacement.
   void learn(const LateralSample& exact);
-  /// Points, ascending, near enough to each other to show each place where the curve passes `wanted`.
-  std::vector<Point> points(double wanted);
-  /// Where, on the side of `direction` (-1 or 1), the force first differs from that at `from` by `error` (N);
-  /// the last sample if it nowhere does. The curve has the shape of the rough samples, linear between them,
-  /// because the model's own forces are uneven from element to element.
-  LateralSample leaves(const LateralSample& from, double error, int direction) const;
-  const std::map<double, KnownLateralForces::Exact>& exact() const { return known_.exact; } ///< of the model
+  /// That of the model, where it is known.
+  std::optional<double> exact(double lateral) const;
+  /// The nearest displacement on the side of `direction` (-1 or 1), or this one, where the model is known.
+  std::optional<LateralSample> exact_beside(double lateral, int direction) const;
+  /// Where the model's known force is nearest to `wanted`, N.
+  std::optional<LateralSample> nearest_exact(double wanted) const;
+  /// dFy/dy from `here` to the nearest displacement within lateral::spacing where the model's known force
+  /// differs by `telling`, N; N/mm.
+  std::optional<double> slope_beside(const LateralSample& here, double telling) const;
+  /// Whether the model is known nearer to a displacement than `distance`, mm.
+  bool exact_within(double lateral, double distance) const;
+
+  /// Rough solutions from `around` - lateral::reach to `around` + lateral::reach, and where contact ends.
+  void survey(double around);
+  /// All displacements that are known, ascending.
+  std::vector<Point> points() const;
+  /// Rough solutions at each extremum between points that falls short of `wanted` and may reach it.
+  void survey_extrema(double wanted);
 
 private:
-  std::optional<double> rough(double lateral);
+  double missed_at(double lateral, const KnownLateralForces::Exact& known) const;
   double missed(double lateral) const;
-  std::vector<Point> samples() const;
-  bool refine(double wanted);
-  void add_extrema(double wanted);
 
   LateralForce rough_;
   double resultant_;

@@ -2,11 +2,13 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/sequence/lateral/settings.hpp"
+#include "bem_contact/sequence/scene_result.hpp"
 
 #include <boost/math/tools/toms748_solve.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace bem_contact {
@@ -16,31 +18,106 @@ namespace {
 /// What ends a search from a callback of the library.
 struct NoForce {};
 
+/// Distance from `from` on the side of `direction` (-1 or 1) at which the force differs by `by`, N, and this
+/// difference; the largest distance that was looked at where it nowhere does.
+LateralSample leaves(const LateralForce& force, const LateralSample& from, double by, int direction) {
+  LateralSample last;
+  for (double away = lateral::unsure; last.lateral < lateral::reach; away *= 2) {
+    const double distance = std::min(away, double(lateral::reach));
+    const std::optional<double> there = force(from.lateral + direction * distance);
+    if (!there)
+      break;
+    const LateralSample next{distance, *there - from.force};
+    if (std::abs(next.force) >= by) {
+      const double bound = std::copysign(by, next.force);
+      return {std::lerp(last.lateral, next.lateral, (bound - last.force) / (next.force - last.force)), bound};
+    }
+    last = next;
+  }
+  return last;
+}
+
 } // namespace
+
+LateralSpread lateral_spread(const LateralForce& shape, double found, double error, double resultant) {
+  const double even = lateral::uneven * resultant;
+  const double telling = std::isnan(error) ? even : std::max(error, even);
+  const std::optional<double> here = shape(found);
+  const LateralSample low = here ? leaves(shape, {found, *here}, telling, -1) : LateralSample{},
+                      high = here ? leaves(shape, {found, *here}, telling, +1) : LateralSample{};
+  const LateralSample& far = high.lateral > low.lateral ? high : low;
+  LateralSpread out{.low = low.lateral, .high = high.lateral, .slope = 0, .error = lateral::reach};
+  if (far.lateral > 0)
+    out.slope = (&far == &high ? 1 : -1) * far.force / far.lateral;
+  if (!(std::abs(far.force) < error)) // else no displacement that was looked at has another force
+    out.error = std::min(error / std::abs(out.slope), double(lateral::reach));
+  return out;
+}
+
+double narrowest_bracket() {
+  return lateral::unsure * Certificate().tolerance;
+}
 
 LateralSample narrow_lateral(const LateralForce& force, double wanted, const LateralBracket& bracket,
                              double tolerance, double width) {
-  LateralSample best = std::abs(bracket.low.force - wanted) < std::abs(bracket.high.force - wanted)
-                           ? bracket.low
-                           : bracket.high;
+  const auto [low, high] =
+      std::minmax(bracket.a, bracket.b,
+                  [](const LateralSample& a, const LateralSample& b) { return a.lateral < b.lateral; });
+  const auto misses = [&](const LateralSample& s) { return std::abs(s.force - wanted); };
+  LateralSample best = misses(low) < misses(high) ? low : high;
   const auto excess = [&](double lateral) {
     const std::optional<double> there = force(lateral);
     if (!there)
       throw NoForce{};
-    if (std::abs(*there - wanted) < std::abs(best.force - wanted))
-      best = {lateral, *there};
-    return std::abs(*there - wanted) <= tolerance ? 0.0 : *there - wanted;
+    const LateralSample sample{lateral, *there};
+    if (misses(sample) < misses(best))
+      best = sample;
+    return misses(sample) <= tolerance ? 0.0 : *there - wanted;
   };
   const auto enough = [&](double a, double b) {
-    return std::abs(best.force - wanted) <= tolerance || std::abs(b - a) < width;
+    return misses(best) <= tolerance || std::abs(b - a) < width;
   };
-  std::uintmax_t calls = most_lateral_calls;
-  try {
-    boost::math::tools::toms748_solve(excess, bracket.low.lateral, bracket.high.lateral,
-                                      bracket.low.force - wanted, bracket.high.force - wanted, enough, calls);
-  } catch (const NoForce&) { // the best sample stands
+  auto calls = boost::math::policies::get_max_root_iterations<boost::math::policies::policy<>>();
+  if (misses(best) > tolerance && low.lateral < high.lateral) {
+    try {
+      boost::math::tools::toms748_solve(excess, low.lateral, high.lateral, low.force - wanted,
+                                        high.force - wanted, enough, calls);
+    } catch (const NoForce&) { // the best sample stands
+    }
   }
   return best;
+}
+
+std::optional<LateralBracket> bracket_lateral(const LateralForce& force, double wanted,
+                                              const LateralSample& from, double step, double limit) {
+  LateralSample last = from;
+  for (; last.lateral != limit && step != 0; step *= 2) {
+    const double further = from.lateral + step;
+    const double at = (further - limit) * step < 0 ? further : limit;
+    const std::optional<double> there = force(at);
+    if (!there)
+      break;
+    const LateralSample next{at, *there};
+    if ((next.force - wanted) * (last.force - wanted) <= 0)
+      return LateralBracket{last, next};
+    last = next;
+  }
+  return std::nullopt;
+}
+
+std::optional<LateralBracket> bracket_lateral_beside(const LateralForce& force, double wanted,
+                                                     const LateralSample& from, double step,
+                                                     double farthest) {
+  std::array<std::optional<LateralSample>, 2> last{from, from};
+  for (double away = step; std::abs(away) <= farthest && (last[0] || last[1]) && step != 0; away *= 2)
+    for (const std::size_t side : {0, 1}) {
+      const double at = from.lateral + (side == 0 ? away : -away);
+      const std::optional<double> there = last[side] ? force(at) : std::nullopt;
+      if (there && (*there - wanted) * (last[side]->force - wanted) <= 0)
+        return LateralBracket{*last[side], {at, *there}};
+      last[side] = there ? std::optional(LateralSample{at, *there}) : std::nullopt;
+    }
+  return std::nullopt;
 }
 
 void refuse_search(double wanted, const LateralSample& last, double tolerance) {
@@ -56,34 +133,20 @@ void refuse_search(double wanted, const LateralSample& last, double tolerance) {
 
 double solve_lateral_force(const LateralForce& force, double wanted, const LateralRoot& start,
                            double tolerance) {
-  const auto at = [&](double lateral) {
-    const std::optional<double> there = force(lateral);
-    if (!there)
-      refuse_search(wanted, {lateral, NAN}, tolerance);
-    return LateralSample{lateral, *there};
-  };
-  LateralSample here = at(start.lateral);
-  double slope = start.slope;
-  for (int i = 0; i < most_lateral_steps; ++i) {
-    const double missing = wanted - here.force;
-    if (std::abs(missing) <= tolerance)
-      return here.lateral;
-    // Beyond the force by a little, so that the next step brackets it.
-    const double step =
-        std::clamp(lateral_overshoot * missing / slope, -longest_lateral_step, +longest_lateral_step);
-    const LateralSample next = at(here.lateral + step);
-    if ((next.force - wanted) * missing >= 0) {
-      const LateralBracket bracket = step > 0 ? LateralBracket{here, next} : LateralBracket{next, here};
-      const LateralSample root = narrow_lateral(force, wanted, bracket, tolerance, narrowest_lateral);
-      if (std::abs(root.force - wanted) <= tolerance)
-        return root.lateral;
-      refuse_search(wanted, root, tolerance);
-    }
-    const double secant = (next.force - here.force) / step;
-    slope = secant * slope > 0 ? secant : slope; // a search that turned round would end on another branch
-    here = next;
-  }
-  refuse_search(wanted, here, tolerance);
+  const std::optional<double> there = force(start.lateral);
+  LateralSample best{start.lateral, there.value_or(NAN)};
+  if (!there)
+    refuse_search(wanted, best, tolerance);
+  const double missing = wanted - best.force;
+  if (std::abs(missing) <= tolerance)
+    return best.lateral;
+  const double step = std::clamp(missing / start.slope, -lateral::unsure, +lateral::unsure);
+  const auto bracket = bracket_lateral_beside(force, wanted, best, step, lateral::reach);
+  if (bracket)
+    best = narrow_lateral(force, wanted, *bracket, tolerance, narrowest_bracket());
+  if (std::abs(best.force - wanted) > tolerance)
+    refuse_search(wanted, best, tolerance);
+  return best.lateral;
 }
 
 void refuse_lateral_force(double wanted, const std::vector<LateralSample>& samples) {

@@ -3,17 +3,60 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/sequence/lateral/settings.hpp"
 
+#include <boost/math/tools/minima.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace bem_contact {
 
-LateralSearch::LateralSearch(const Question& question, const LateralForce& rough, KnownLateralForces& known)
-    : question_(question), curve_(rough, question.start, question.resultant, known) {}
+namespace {
 
-std::vector<LateralSearch::Crossing> LateralSearch::crossings() {
-  const std::vector<Point> points = curve_.points(question_.wanted);
+/// 1 (lateral::unsure). Displacements of the curve are found to a tenth of what a warning tells.
+constexpr double finest = 0.1;
+
+} // namespace
+
+LateralSearch::LateralSearch(const Question& question, const LateralForce& rough, KnownLateralForces& known)
+    : question_(question), curve_(rough, question.resultant, known) {}
+
+bool LateralSearch::met(double force) const {
+  return std::abs(force - question_.wanted) <= Certificate().tolerance * question_.resultant;
+}
+
+bool LateralSearch::start_may_bear() {
+  const std::optional<double> there = curve_(question_.start);
+  return there && std::abs(*there - question_.wanted) <= lateral::near * question_.resultant;
+}
+
+/// All branches, by rough solutions.
+void LateralSearch::survey() {
+  if (!surveyed_) {
+    curve_.survey(question_.start);
+    curve_.survey_extrema(question_.wanted);
+    if (crossings().empty())
+      survey_range();
+  }
+  surveyed_ = true;
+}
+
+/// Where the curve is least and most: between rough solutions it may reach farther than they tell.
+void LateralSearch::survey_range() {
+  const double even = lateral::uneven * question_.resultant;
+  std::optional<double> least, most;
+  for (const Point& p : curve_.points())
+    if (p.force) {
+      least = std::min(least.value_or(*p.force), *p.force);
+      most = std::max(most.value_or(*p.force), *p.force);
+    }
+  if (!least)
+    return;
+  curve_.survey_extrema(*least - even);
+  curve_.survey_extrema(*most + even);
+}
+
+std::vector<LateralSearch::Crossing> LateralSearch::crossings() const {
+  const std::vector<Point> points = curve_.points();
   const double wanted = question_.wanted;
   std::vector<Crossing> out;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -25,214 +68,194 @@ std::vector<LateralSearch::Crossing> LateralSearch::crossings() {
   return out;
 }
 
-std::optional<LateralSearch::Crossing> LateralSearch::nearest_crossing() {
+std::optional<LateralSearch::Crossing> LateralSearch::nearest_crossing() const {
   const std::vector<Crossing> all = crossings();
   const auto nearest = std::ranges::min_element(
       all, {}, [&](const Crossing& c) { return std::abs(c.about - question_.start); });
   return nearest == all.end() ? std::nullopt : std::optional(*nearest);
 }
 
-/// Where the curve passes the force between two points, mm, to `width`.
-double LateralSearch::on_curve(const Crossing& crossing, double width) {
-  return narrow_lateral(
-             [&](double at) { return curve_(at); }, question_.wanted,
-             {{crossing.low.lateral, *crossing.low.force}, {crossing.high.lateral, *crossing.high.force}}, 0,
-             width)
+/// Where the curve passes the force between two points, mm, to a tenth of what is told apart.
+double LateralSearch::on_curve(const Crossing& crossing) {
+  return narrow_lateral([&](double at) { return curve_(at); }, question_.wanted,
+                        {crossing.low.sample(), crossing.high.sample()}, 0, finest * lateral::unsure)
       .lateral;
 }
 
 bool LateralSearch::passes() {
+  survey();
   return nearest_crossing().has_value();
 }
 
 double LateralSearch::guess() {
+  survey();
   const std::optional<Crossing> nearest = nearest_crossing();
-  return nearest ? on_curve(*nearest, lateral_root_width) : question_.start;
+  return nearest ? on_curve(*nearest) : question_.start;
 }
 
-/// A little beyond where the curve passes the force, so that the model is likely to bracket it there.
-/// At least `least` from where the model was solved.
-double LateralSearch::next_after(const Crossing& crossing, double least) {
-  if (!crossing.low.exact && !crossing.high.exact)
-    return on_curve(crossing, lateral_root_width);
-  const double from = crossing.low.exact ? crossing.low.lateral : crossing.high.lateral;
-  const double to = crossing.low.exact ? crossing.high.lateral : crossing.low.lateral;
-  const double there =
-      on_curve(crossing, std::max(double(lateral_root_width),
-                                  0.2 * (lateral_overshoot - 1) * std::abs(crossing.about - from)));
-  const double beyond = std::max(lateral_overshoot * std::abs(there - from), least);
-  return from + std::copysign(std::min(beyond, 0.5 * std::abs(there + to - 2 * from)), to - from);
-}
-
-/// Where the curve falls least short of a force that it does not pass. Throws InputError where the model has
-/// been solved there, and misses the force by more than forces scatter from element to element.
-double LateralSearch::closest_approach(const LateralForce& force) {
-  std::vector<Point> points = curve_.points(question_.wanted);
-  std::erase_if(points, [](const Point& p) { return !p.force; });
-  const auto short_of = [&](const Point& p) { return std::abs(*p.force - question_.wanted); };
-  const auto nearest = std::ranges::min_element(points, {}, short_of);
-  const bool solved = nearest == points.end() || std::ranges::any_of(points, [&](const Point& p) {
-                        return p.exact && std::abs(p.lateral - nearest->lateral) < lateral_extremum_width;
-                      });
-  if (!solved)
-    return nearest->lateral;
-  for (const Point& p : points)
-    if (p.exact && short_of(p) <= lateral_scatter * question_.resultant)
-      return p.lateral;
-  refuse_lateral_force(question_.wanted, reached(force));
-}
-
-/// The curve, known well where its force is least and most: what can be reached must not depend on what was
-/// wanted. There the model is solved, because on a tread rough forces miss more than it changes by.
-std::vector<LateralSample> LateralSearch::reached(const LateralForce& force) {
-  std::vector<LateralSample> out;
-  std::ranges::minmax_result<LateralSample> ends;
-  const auto look = [&](double wanted) {
-    out.clear();
-    for (const Point& p : curve_.points(wanted))
-      if (p.force)
-        out.push_back({p.lateral, *p.force});
-    if (!out.empty())
-      ends = std::ranges::minmax(out, {}, &LateralSample::force);
-  };
-  look(question_.wanted);
-  for (int i = 0; i < extremum_rounds && !out.empty(); ++i) {
-    const auto [least, most] = ends;
-    look(least.force);
-    look(most.force);
-  }
-  std::set<double> tried;
-  const auto may_be_extreme = [&](const LateralSample& p) {
-    const double even = even_lateral_force * question_.resultant;
-    return (p.force <= ends.min.force + even || p.force >= ends.max.force - even) &&
-           !curve_.exact().contains(p.lateral) && !tried.contains(p.lateral);
-  };
-  for (int i = 0; i < most_lateral_steps; ++i) {
-    const auto next = std::ranges::find_if(out, may_be_extreme);
-    if (next == out.end())
-      break;
-    tried.insert(next->lateral);
-    if (try_at(force, next->lateral))
-      look(question_.wanted);
-  }
-  return out;
-}
-
-bool LateralSearch::learn(const LateralForce& force, double lateral) {
-  const std::optional<double> there = force(lateral);
-  if (there)
-    curve_.learn({lateral, *there});
-  return there.has_value();
-}
-
-/// The model's force, where the model has a solution.
-bool LateralSearch::try_at(const LateralForce& force, double lateral) {
+/// The model's force, which the curve learns; nothing where the model has no solution.
+std::optional<double> LateralSearch::try_at(const LateralForce& force, double lateral) {
+  if (const std::optional<double> known = curve_.exact(lateral))
+    return known;
+  std::optional<double> there;
   try {
-    return curve_(lateral) && learn(force, lateral);
+    there = force(lateral);
   } catch (const InputError&) { // an influence file may not reach so far
   } catch (const ConvergenceError&) {
   }
-  return false;
+  if (there)
+    curve_.learn({lateral, *there});
+  return there;
 }
 
-/// Displacements beside the start, if the model bears almost the force there: on a tread the curve is not
-/// good enough to tell where the model passes it. The last one is the nearest.
-std::vector<double> LateralSearch::beside_start(const LateralForce& force) {
-  std::vector<double> out;
-  const double start = question_.start;
-  if (!curve_.exact().contains(start) && !try_at(force, start))
-    return out;
-  if (std::abs(*force_at_start() - question_.wanted) > even_lateral_force * question_.resultant)
-    return out;
-  for (double away = first_look_around; away < lateral_step; away *= 2)
-    out.insert(out.begin(), {start - away, start + away});
-  return out;
+/// If the model bears almost the force at the start: the nearest displacements beside it that bracket the
+/// force. On a tread the curve is not good enough to tell where the model passes it.
+std::optional<LateralBracket> LateralSearch::beside_start(const LateralForce& force) {
+  const std::optional<double> there = force_at_start();
+  if (!there || std::abs(*there - question_.wanted) > lateral::uneven * question_.resultant)
+    return std::nullopt;
+  return bracket_lateral_beside([&](double at) { return try_at(force, at); }, question_.wanted,
+                                {question_.start, *there}, lateral::unsure, lateral::spacing);
+}
+
+/// The model's own bracket about a displacement where the curve passes the force. Nothing if the model does
+/// not pass it there; the curve then knows better.
+std::optional<LateralBracket> LateralSearch::bracket(const LateralForce& force, const Crossing& crossing) {
+  const auto learning = [&](double at) {
+    const std::optional<double> there = force(at);
+    if (!there)
+      refuse_search(question_.wanted, {at, NAN}, Certificate().tolerance * question_.resultant);
+    curve_.learn({at, *there});
+    return there;
+  };
+  std::optional<LateralSample> from;
+  double force_there = 1; // beyond the wanted one
+  for (const int side : {-1, 1}) {
+    const std::optional<LateralSample> beside =
+        curve_.exact_beside(side < 0 ? crossing.low.lateral : crossing.high.lateral, side);
+    if (!beside || std::abs(beside->lateral - crossing.about) > lateral::spacing)
+      continue;
+    if (met(beside->force))
+      return LateralBracket{*beside, *beside};
+    if (from && (beside->force - question_.wanted) * force_there < 0)
+      return LateralBracket{*from, *beside};
+    force_there = beside->force - question_.wanted;
+    if (!from || std::abs(beside->lateral - crossing.about) < std::abs(from->lateral - crossing.about))
+      from = beside;
+  }
+  if (!from) {
+    learning(on_curve(crossing));
+    return std::nullopt;
+  }
+  const double step = crossing.about - from->lateral, least = finest * lateral::unsure;
+  return bracket_lateral(learning, question_.wanted, *from,
+                         std::copysign(std::max(std::abs(step), least), step),
+                         from->lateral + std::copysign(lateral::spacing, step));
+}
+
+/// Where the curve comes nearest to a force that it does not pass: the model there, or at its own extremum
+/// beside it. Throws InputError where the force is missed by too much.
+std::optional<double> LateralSearch::try_extremum(const LateralForce& force, bool last) {
+  const auto misses = [&](const LateralSample& s) { return std::abs(s.force - question_.wanted); };
+  std::optional<LateralSample> nearest;
+  for (const Point& p : curve_.points())
+    if (p.force && (!nearest || misses(p.sample()) < misses(*nearest)))
+      nearest = p.sample();
+  if (!nearest || last)
+    refuse(force);
+  if (!curve_.exact_within(nearest->lateral, lateral::unsure)) {
+    const std::optional<double> there = try_at(force, nearest->lateral);
+    if (there)
+      return there;
+  }
+  if (misses(*nearest) > lateral::near * question_.resultant)
+    refuse(force);
+  const double sign = nearest->force < question_.wanted ? 1 : -1, about = nearest->lateral;
+  boost::math::tools::brent_find_minima(
+      [&](double at) { return -sign * try_at(force, at).value_or(nearest->force); },
+      std::max(about - 0.5 * lateral::spacing, question_.start - lateral::reach),
+      std::min(about + 0.5 * lateral::spacing, question_.start + lateral::reach),
+      LateralCurve::extremum_bits);
+  return nearest->force;
+}
+
+/// Throws InputError. What can be reached must not depend on what was wanted. So the curve is surveyed where
+/// its force is least and most, and there the model is solved, because on a tread rough forces miss more
+/// than the force changes by.
+void LateralSearch::refuse(const LateralForce& force) {
+  const double even = lateral::uneven * question_.resultant;
+  std::vector<double> tried;
+  std::vector<LateralSample> samples;
+  const auto look = [&] {
+    samples.clear();
+    for (const Point& p : curve_.points())
+      if (p.force && (p.exact || !curve_.exact_within(p.lateral, lateral::unsure)) &&
+          (p.exact || std::ranges::find(tried, p.lateral) == tried.end()))
+        samples.push_back(p.sample());
+    if (samples.empty())
+      refuse_lateral_force(question_.wanted, samples);
+    return std::ranges::minmax(samples, {}, &LateralSample::force);
+  };
+  survey_range();
+  for (;;) {
+    const auto [least, most] = look();
+    const auto next = std::ranges::find_if(samples, [&](const LateralSample& s) {
+      return !curve_.exact(s.lateral) && (s.force <= least.force + even || s.force >= most.force - even);
+    });
+    if (next == samples.end())
+      refuse_lateral_force(question_.wanted, samples);
+    tried.push_back(next->lateral);
+    try_at(force, next->lateral);
+  }
 }
 
 double LateralSearch::find(const LateralForce& force) {
-  const double tolerance = lateral_tolerance * question_.resultant;
-  const auto met = [&](const Point& p) {
-    return p.exact && std::abs(*p.force - question_.wanted) <= tolerance;
-  };
-  std::vector<double> beside = beside_start(force);
-  LateralSample last{question_.start, NAN};
-  for (int i = 0; i < most_lateral_steps; ++i) {
-    const std::optional<Crossing> c = nearest_crossing();
-    if (!beside.empty() && (!c || std::abs(c->about - question_.start) > lateral_step)) {
-      try_at(force, beside.back());
-      beside.pop_back();
+  const double wanted = question_.wanted, tolerance = Certificate().tolerance * question_.resultant;
+  try_at(force, question_.start);
+  if (const std::optional<double> there = force_at_start(); there && met(*there))
+    return question_.start;
+  std::optional<LateralBracket> found = beside_start(force);
+  if (!found)
+    survey();
+  const int rounds = static_cast<int>(2 * lateral::reach / lateral::spacing); // more do not tell more
+  for (int round = 1; !found; ++round) {
+    const std::optional<Crossing> crossing = nearest_crossing();
+    if (crossing && round > rounds)
+      refuse_search(wanted, {crossing->about, NAN}, tolerance);
+    if (crossing) {
+      found = bracket(force, *crossing);
       continue;
     }
-    if (c && (met(c->low) || met(c->high)))
-      return met(c->low) ? c->low.lateral : c->high.lateral;
-    if (c && c->low.exact && c->high.exact) {
-      const auto learning = [&](double lateral) -> std::optional<double> {
-        return learn(force, lateral) ? std::optional(curve_.exact().at(lateral).force) : std::nullopt;
-      };
-      last = narrow_lateral(learning, question_.wanted,
-                            {{c->low.lateral, *c->low.force}, {c->high.lateral, *c->high.force}}, tolerance,
-                            narrowest_lateral);
-      if (std::abs(last.force - question_.wanted) <= tolerance)
-        return last.lateral;
-      break;
-    }
-    const double next = c ? next_after(*c, lateral_root_width * std::exp2(i)) : closest_approach(force);
-    if (!c && curve_.exact().contains(next))
-      return next;
-    if (!learn(force, next)) {
-      last = {next, NAN};
-      break;
-    }
-    last = {next, curve_.exact().at(next).force};
-    if (std::abs(last.force - question_.wanted) <= tolerance)
-      return next;
+    try_extremum(force, round > rounds);
+    if (const std::optional<LateralSample> nearest = curve_.nearest_exact(wanted);
+        nearest && met(nearest->force))
+      found = {*nearest, *nearest};
   }
-  refuse_search(question_.wanted, last, tolerance);
-}
-
-/// dFy/dy by the nearest solutions of the model whose forces differ enough to tell, N/mm.
-std::optional<double> LateralSearch::slope_beside(double found) const {
-  const auto& exact = curve_.exact();
-  const auto here = exact.find(found);
-  std::optional<double> slope;
-  double nearest = lateral_step;
-  for (const auto& [lateral, there] : exact) {
-    const double apart = lateral - found, more = there.force - here->second.force;
-    if (std::abs(apart) >= nearest || std::abs(more) < telling_lateral_force * question_.resultant)
-      continue;
-    nearest = std::abs(apart);
-    slope = more / apart;
-  }
-  return slope;
+  const LateralSample root = narrow_lateral(force, wanted, *found, tolerance, narrowest_bracket());
+  if (!met(root.force))
+    refuse_search(wanted, root, tolerance);
+  curve_.learn(root);
+  return root.lateral;
 }
 
 LateralPosition LateralSearch::describe(double found, double error) {
-  const LateralSample here{found, question_.wanted};
-  const double allowed =
-      question_.resultant * (std::isnan(error) ? telling_lateral_force : lateral_tolerance);
-  const double within = std::isnan(error) ? allowed : std::max(error, allowed);
-  const LateralSample low = curve_.leaves(here, within, -1), high = curve_.leaves(here, within, +1);
-  const LateralSample& far = high.lateral - found > found - low.lateral ? high : low;
-  LateralPosition out{.lateral = found,
-                      .slope = (far.force - here.force) / (far.lateral - found),
-                      .error = std::abs(far.lateral - found),
-                      .others = {}};
-  const std::optional<double> slope = slope_beside(found);
-  if (slope && out.error < unsure_lateral) {
+  const LateralSpread spread =
+      lateral_spread([&](double at) { return curve_.rough(at); }, found, error, question_.resultant);
+  LateralPosition out{.lateral = found, .slope = spread.slope, .error = spread.error, .others = {}};
+  const std::optional<double> slope =
+      curve_.slope_beside({found, question_.wanted}, lateral::uneven * question_.resultant);
+  if (slope && !(spread.error >= lateral::unsure)) {
     out.slope = *slope;
-    out.error = within / std::abs(*slope);
+    out.error = error / std::abs(*slope);
   }
-  if (std::isnan(error))
-    out.error = error;
-  for (const Crossing& c : crossings())
-    if (c.about < low.lateral || c.about > high.lateral)
-      out.others.push_back(on_curve(c, other_lateral_width));
+  const double known = std::isnan(error) ? 0 : 1;
+  const double from = found - std::max(known * spread.low, double(lateral::unsure)),
+               to = found + std::max(known * spread.high, double(lateral::unsure));
+  if (surveyed_)
+    for (const Crossing& c : crossings())
+      if (c.about < from || c.about > to)
+        out.others.push_back(on_curve(c));
   return out;
-}
-
-std::optional<double> LateralSearch::force_at_start() const {
-  const auto there = curve_.exact().find(question_.start);
-  return there != curve_.exact().end() ? std::optional(there->second.force) : std::nullopt;
 }
 
 } // namespace bem_contact

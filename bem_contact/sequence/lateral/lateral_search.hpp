@@ -10,10 +10,11 @@ namespace bem_contact {
 
 /// The lateral displacement at which a model bears a lateral force.
 ///
-/// Tread and flange can bear the same force, and so can the flange before and behind its steepest place. The
-/// displacement nearest to `start` where the curve (LateralCurve) passes the force is tried with the model,
-/// and what the model says there corrects the curve. That goes on until two displacements of the model
-/// bracket the force; there the method of Alefeld, Potra and Shi (1995) ends it.
+/// A start that bears the force is the answer, and nothing else is looked at. Else rough solutions survey the
+/// displacements within lateral::reach: tread and flange can bear the same force, and so can the flange
+/// before and behind its steepest place. The displacement nearest to the start where the curve (LateralCurve)
+/// passes the force is tried with the model, and what the model says there corrects the curve. Two
+/// displacements of the model that bracket the force end that: narrow_lateral() does the rest.
 class LateralSearch {
 public:
   /// What is looked for.
@@ -26,21 +27,26 @@ public:
   /// `known` is used and added to.
   LateralSearch(const Question& question, const LateralForce& rough, KnownLateralForces& known);
 
+  /// Whether the start may bear the force, by a rough solution there.
+  bool start_may_bear();
+  bool met(double force) const; ///< N: whether this is the wanted one, as the certificate allows it
+
   bool passes(); ///< whether the curve passes the force, as far as the curve is known
   /// The displacement nearest to the start where the curve passes the force, mm; the start if it does not.
   double guess();
+  void learn(const LateralSample& exact) { curve_.learn(exact); } ///< a force of the model
 
-  /// The displacement, mm, whose force is the wanted one within lateral_tolerance. `force` is the model's.
+  /// The displacement, mm, whose force is met(). `force` is the model's.
   /// Throws InputError if no displacement has this force, with the forces that can be reached;
   /// ConvergenceError if the force jumps over it, or if the model has no solution on the way.
   double find(const LateralForce& force);
 
-  /// What to say of the displacement that was found. `error`: of the lateral force, N; nan: not
-  /// known.
+  /// What to say of the displacement that was found. `error`: of the lateral force, N; nan: not known. The
+  /// others are looked for where the start was not the answer.
   LateralPosition describe(double found, double error);
 
   /// The model's force at the start, N. Nothing where it is not known.
-  std::optional<double> force_at_start() const;
+  std::optional<double> force_at_start() const { return curve_.exact(question_.start); }
 
 private:
   using Point = LateralCurve::Point;
@@ -50,19 +56,20 @@ private:
     double about = 0; ///< mm, by the line between them
   };
 
-  std::vector<Crossing> crossings();
-  std::optional<Crossing> nearest_crossing();
-  double on_curve(const Crossing& crossing, double width);
-  double next_after(const Crossing& crossing, double least);
-  double closest_approach(const LateralForce& force);
-  std::vector<LateralSample> reached(const LateralForce& force);
-  std::vector<double> beside_start(const LateralForce& force);
-  bool try_at(const LateralForce& force, double lateral);
-  bool learn(const LateralForce& force, double lateral);
-  std::optional<double> slope_beside(double found) const;
+  void survey();
+  void survey_range();
+  std::vector<Crossing> crossings() const;
+  std::optional<Crossing> nearest_crossing() const;
+  double on_curve(const Crossing& crossing);
+  std::optional<LateralBracket> beside_start(const LateralForce& force);
+  std::optional<LateralBracket> bracket(const LateralForce& force, const Crossing& crossing);
+  std::optional<double> try_extremum(const LateralForce& force, bool last);
+  [[noreturn]] void refuse(const LateralForce& force);
+  std::optional<double> try_at(const LateralForce& force, double lateral);
 
   Question question_;
   LateralCurve curve_;
+  bool surveyed_ = false;
 };
 
 } // namespace bem_contact

@@ -71,10 +71,6 @@ BEM_CONTACT_TUNED(double, accuracy_reserve, 0.8);
 /// 1. Elements of both wheels count as alike if those of one are no more than so many times as long and wide:
 /// the smaller ones for both then cost about twice the elements at most.
 BEM_CONTACT_TUNED(double, alike_elements, 1.5);
-/// 1. Where rough solutions say that the start misses the lateral force by no more than this, over the
-/// resultant, the start itself is tried before a search leaves it: rough forces differ from the model's by
-/// some per cent.
-BEM_CONTACT_TUNED(double, near_lateral_force, 0.05);
 /// 1. Most rounds in which elements are chosen again for the accuracy asked for.
 BEM_CONTACT_TUNED(int, most_element_rounds, 3);
 

@@ -4,7 +4,6 @@
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/scene/warnings.hpp"
 #include "bem_contact/sequence/asked_error.hpp"
-#include "bem_contact/sequence/lateral/lateral_curve.hpp"
 #include "bem_contact/sequence/lateral/lateral_force.hpp"
 #include "bem_contact/sequence/lateral/settings.hpp"
 #include "bem_contact/sequence/quantities.hpp"
@@ -46,8 +45,9 @@ LateralRoot narrow(const LateralForce& force, LateralSample a, LateralSample b, 
     replaced = {between, *there};
   }
   const double slope = (b.force - a.force) / (b.lateral - a.lateral);
-  return slope > 0 ? LateralRoot{a.lateral + (wanted - a.force) / slope, slope}
-                   : LateralRoot{a.lateral, first_slope}; // rough forces so near to each other say nothing
+  return slope * first_slope > 0
+             ? LateralRoot{a.lateral + (wanted - a.force) / slope, slope}
+             : LateralRoot{a.lateral, first_slope}; // rough forces so near to each other say nothing
 }
 
 /// How a search for a lateral force ended that is not met.
@@ -133,15 +133,16 @@ private:
 
 /// The displacement nearest to `start` at which the lateral forces on both rails add up to about `wanted`, N;
 /// within rough_lateral_width. `force`: this sum at a displacement, nothing where the wheelset does not
-/// stand. The force grows with the displacement until a wheel climbs its rail, so the search goes to that
-/// side; and to the other one too where the force at first does not do so. `best` is the one on the way that
-/// is nearest to the wanted one; nothing if that is not met.
+/// stand. On the flange the force grows with the displacement until a wheel climbs its rail, so the search
+/// goes to that side. On the tread it may fall, too: to the other side as well where the start is `near` the
+/// force, or where the force at first falls. `best` is the one on the way that is nearest to the wanted one;
+/// nothing if that is not met.
 std::optional<LateralRoot> search_lateral(const LateralForce& force, const LateralSample& start,
-                                          double wanted, LateralSample& best) {
+                                          double wanted, bool near, LateralSample& best) {
   const double up = start.force < wanted ? 1 : -1;
   Walk walk(force, start, up, up, wanted), back(force, start, -up, up, wanted);
   const auto bracketed = [&](const Walk& w) { return narrow(force, w.before, w.beyond, wanted); };
-  bool falls = false, first = true;
+  bool falls = near, first = true;
   while (!walk.ended || (falls && !back.ended)) {
     if (!walk.ended && walk.step())
       return bracketed(walk);
@@ -182,20 +183,6 @@ public:
     return force;
   }
 
-  /// dFy/dy from `here` to the nearest displacement that was tried whose force differs by `telling`, N; N/mm.
-  std::optional<double> slope_beside(const LateralSample& here, double telling) const {
-    std::optional<double> slope;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Known& k : known_) {
-      const double apart = k.lateral - here.lateral, more = k.force.value_or(here.force) - here.force;
-      if (std::abs(more) < telling || std::abs(apart) >= nearest)
-        continue;
-      nearest = std::abs(apart);
-      slope = more / apart;
-    }
-    return slope;
-  }
-
   bool lifts() const { return lifts_; } ///< whether a wheel lifted where a force was asked for last
   const Equilibrium& last() const { return *last_; } ///< once there is one
   const EquilibriumStart& near(double lateral) const {
@@ -234,12 +221,17 @@ public:
         start_{scene.position.lateral, follower_.required_force(scene.position.lateral)},
         wanted_(*scene.wheelset.force_y) {}
 
-  double start_misses() const { return std::abs(start_.force - wanted_); } ///< N
+  /// Whether the start may bear the force.
+  bool near() const {
+    const double resultant = std::hypot(*finder_.scene().wheelset.force, wanted_);
+    return std::abs(start_.force - wanted_) <= lateral::near * resultant;
+  }
+  std::optional<double> force(double lateral) { return follower_.force(lateral); }
 
   RoughPlace place() {
     LateralSample best;
     const std::optional<LateralRoot> guess =
-        search_lateral([&](double y) { return follower_.force(y); }, start_, wanted_, best);
+        search_lateral([&](double y) { return follower_.force(y); }, start_, wanted_, near(), best);
     if (!guess)
       refuse_lateral(
           {wanted_, start_.lateral, best, follower_.lifts(), finder_.scene().wheelset.roll_moment});
@@ -254,27 +246,16 @@ private:
   double wanted_;
 };
 
-/// An equilibrium, with the error of its lateral displacement where that was found (WheelsetResult).
-struct FoundEquilibrium {
-  Equilibrium equilibrium;
-  double lateral_error = unknown_error;
-};
-
-/// How far the displacement is off where the forces are off by their stated errors, mm.
-double error_of_lateral(Follower& follower, const Equilibrium& found, double resultant) {
+/// How far the displacement is off where the forces are off by their stated errors, mm. Where these are not
+/// known: by what larger elements change, and no less than forces are uneven by.
+double error_of_lateral(RoughSearch& rough, const WheelsetState& found, double resultant) {
   const Quantity& lateral = quantity("Fy");
-  const double error = std::hypot(lateral.error(found.state.right), lateral.error(found.state.left));
+  double error = std::hypot(lateral.error(found.right), lateral.error(found.left));
+  const double at = found.pose.lateral;
   if (std::isnan(error))
-    return unknown_error;
-  const LateralSample here{found.state.pose.lateral, found.state.sum().force[1]};
-  const double telling = telling_lateral_force * resultant;
-  std::optional<double> slope = follower.slope_beside(here, telling);
-  for (double away = first_lateral_step; !slope && away <= lateral_search_reach; away *= 2) {
-    for (const double side : {+away, -away})
-      follower.force(here.lateral + side);
-    slope = follower.slope_beside(here, telling);
-  }
-  return slope ? error / std::abs(*slope) : unknown_error;
+    error = std::max(lateral::uneven * resultant,
+                     std::abs(rough.force(at).value_or(found.sum().force[1]) - found.sum().force[1]));
+  return lateral_spread([&](double y) { return rough.force(y); }, at, error, resultant).error;
 }
 
 /// Whether the lateral force is met.
@@ -292,25 +273,17 @@ bool too_coarse(const SceneFile& scene, const WheelsetState& s) {
   return scene.grid.accuracy && (coarse(s.right) || coarse(s.left));
 }
 
-/// The equilibrium under wheelset.force_y. `guess` without a slope: that of the first step is taken.
-FoundEquilibrium at_lateral_force(EquilibriumFinder& finder, const SceneFile& scene,
-                                  const EquilibriumStart& start, LateralRoot guess, bool last_round) {
-  const SceneFile::Wheelset& given = scene.wheelset;
+/// The equilibrium under wheelset.force_y.
+Equilibrium at_lateral_force(EquilibriumFinder& finder, const EquilibriumStart& start,
+                             const LateralRoot& guess) {
+  const SceneFile::Wheelset& given = finder.scene().wheelset;
   const double resultant = std::hypot(*given.force, *given.force_y);
   Follower follower(finder, guess.lateral, start, equilibrium_tolerance / 10);
   const LateralForce force = [&](double y) { return follower.force(y); };
-  if (guess.slope == 0 && follower.force(guess.lateral) && !meets(given, follower.last())) {
-    const double here = follower.last().state.sum().force[1];
-    if (const auto beside = follower.force(guess.lateral + first_lateral_step))
-      guess.slope = (*beside - here) / first_lateral_step;
-  }
   const double lateral = solve_lateral_force(force, *given.force_y, guess, lateral_balance * resultant);
   if (follower.last().state.pose.lateral != lateral)
     follower.required_force(lateral);
-  FoundEquilibrium out{follower.last()};
-  if (last_round || !too_coarse(scene, out.equilibrium.state))
-    out.lateral_error = error_of_lateral(follower, out.equilibrium, resultant);
-  return out;
+  return follower.last();
 }
 
 void add_warnings(const SceneFile& scene, WheelsetResult& out) {
@@ -364,34 +337,34 @@ SceneDescription describe_scene(const SceneFile& scene) {
 namespace {
 
 /// Where the search for the equilibrium begins; elements are chosen there. Under a lateral force that is
-/// where rough solutions meet it, or the start itself where that meets it.
-RoughPlace first_place(EquilibriumFinder& finder, const std::atomic<bool>* stop,
-                       const std::shared_ptr<SequenceFiles>& files, int& contact_problems) {
-  const SceneFile& scene = finder.scene();
-  const double start = scene.position.lateral;
+/// where rough solutions meet it, or the start itself where that meets it. `rough`: null: no lateral force.
+RoughPlace first_place(EquilibriumFinder& finder, RoughSearch* rough) {
+  const double start = finder.scene().position.lateral;
   RoughPlace out{{start, 0}, {}, {}};
-  if (!scene.wheelset.force_y) {
+  if (!rough) {
     out.start = finder.begin(start);
     return out;
   }
-  const SceneFile::Wheelset& given = scene.wheelset;
-  RoughSearch rough(scene, stop, files);
-  contact_problems = rough.contact_problems();
-  if (rough.start_misses() <= near_lateral_force * std::hypot(*given.force, *given.force_y)) {
+  const SceneFile::Wheelset& given = finder.scene().wheelset;
+  const auto start_meets = [&] {
     try {
-      out.start = finder.begin(start);
-      const Equilibrium there = finder.at(start, out.start, equilibrium_tolerance / 10);
-      out.start = there.start();
-      if (meets(given, there))
-        return out;
+      const Equilibrium there = finder.at(start, finder.begin(start), equilibrium_tolerance / 10);
+      out = {{start, 0}, {}, there.start()};
+      return meets(given, there);
     } catch (const InputError&) { // the search may lead to where there is one
     } catch (const ConvergenceError&) {
     }
-  }
-  out = rough.place();
-  contact_problems = rough.contact_problems();
-  finder.choose_elements(out.pose);
-  return out;
+    return false;
+  };
+  if (rough->near() && start_meets())
+    return out;
+  out = rough->place();
+  const RoughPlace place = out;
+  // On a flange rough forces miss much, but their displacements do not.
+  if (!rough->near() && std::abs(place.guess.lateral - start) <= lateral::unsure && start_meets())
+    return out;
+  finder.choose_elements(place.pose);
+  return place;
 }
 
 } // namespace
@@ -403,28 +376,27 @@ WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* s
   if (!files)
     files = shared_files();
   EquilibriumFinder finder(scene, stop, files);
-  int rough_problems = 0;
-  RoughPlace place = first_place(finder, stop, files, rough_problems);
-  std::optional<FoundEquilibrium> found;
+  std::optional<RoughSearch> rough;
+  if (scene.wheelset.force_y)
+    rough.emplace(scene, stop, files);
+  RoughPlace place = first_place(finder, rough ? &*rough : nullptr);
+  std::optional<Equilibrium> found;
   for (int round = 1;; ++round) {
-    found = scene.wheelset.force_y
-                ? at_lateral_force(finder, scene, place.start, place.guess, round == most_element_rounds)
-                : FoundEquilibrium{finder.at(place.guess.lateral, place.start, equilibrium_tolerance)};
-    const Equilibrium& there = found->equilibrium;
-    if (round == most_element_rounds || !too_coarse(scene, there.state))
+    found = rough ? at_lateral_force(finder, place.start, place.guess)
+                  : finder.at(place.guess.lateral, place.start, equilibrium_tolerance);
+    if (round == most_element_rounds || !too_coarse(scene, found->state))
       break;
-    finder.choose_elements_again(there.state.pose);
-    place.start = there.start();
-    place.guess.lateral = there.state.pose.lateral;
+    finder.choose_elements_again(found->state.pose);
+    place.start = found->start();
+    place.guess.lateral = found->state.pose.lateral;
   }
-  Equilibrium& there = found->equilibrium;
-  WheelsetResult out{.state = std::move(there.state), .residual = there.residual};
-  if (scene.wheelset.force_y) {
-    out.lateral_residual =
-        std::abs(out.state.sum().force[1] - *scene.wheelset.force_y) / *scene.wheelset.force;
-    out.lateral_error = found->lateral_error;
+  WheelsetResult out{.state = std::move(found->state), .residual = found->residual};
+  if (rough) {
+    const double wanted = *scene.wheelset.force_y, force = *scene.wheelset.force;
+    out.lateral_residual = std::abs(out.state.sum().force[1] - wanted) / force;
+    out.lateral_error = error_of_lateral(*rough, out.state, std::hypot(force, wanted));
   }
-  out.contact_problems = finder.contact_problems() + rough_problems;
+  out.contact_problems = finder.contact_problems() + (rough ? rough->contact_problems() : 0);
   add_warnings(scene, out);
   out.seconds = clock.seconds();
   return out;

@@ -22,7 +22,7 @@ struct WheelsetResult {
   /// |sum Fy - force_y| over force; nan where the displacement is given.
   double lateral_residual = std::numeric_limits<double>::quiet_NaN();
   /// By how much the lateral displacement that was found may be off, because forces are off by their stated
-  /// errors, mm; nan: not known, or the displacement is given.
+  /// errors, mm; where these are not known, by what larger elements change. nan: the displacement is given.
   double lateral_error = std::numeric_limits<double>::quiet_NaN();
   int contact_problems = 0;               ///< solved on the way, both wheels
   std::vector<std::string> warnings = {}; ///< of both wheels

@@ -216,6 +216,34 @@ TEST(Wheelset, StaysInTheMiddleUnderNoLateralForce) {
   }
 }
 
+/// From beside the middle the search ends at a displacement that differs from it by no more than its stated
+/// error, which is always known. (Between two displacements forces are uneven: each is met at some places
+/// beside the middle, too.)
+TEST(Wheelset, EndsInTheMiddleWithinItsStatedError) {
+  struct Case {
+    const char *rail, *wheel;
+    double cant, force, from;
+    const char* more;
+  };
+  const char* hollow = CONFORMAL_SOURCE_DIR "/data/bodies/hollow_wheel.txt";
+  for (const Case& c : {Case{"60E1", "S1002", 0.025, 2e5, 0.3, "grid.accuracy = 0.05\n"},
+                        {"60E1", "S1002", 0.025, 2e5, -0.3, "grid.accuracy = 0.05\n"},
+                        {"54E1", "S1002", 0, 9e4, -0.5, "grid = { dx = 1.0, ds = 0.55 }\n"},
+                        {"60E2", "S1002", 0.05, 1.4e5, -0.7, "grid.accuracy = 0.1\n"},
+                        {"54E1", hollow, 0.05, 1.55e5, 1.2, "grid.accuracy = 0.05\n"},
+                        {"60E1", hollow, 0.025, 1.5e5, -1.6, "grid = { dx = 1.3, ds = 0.7 }\n"}}) {
+    const WheelsetResult r = solve_wheelset(parse_scene_file(
+        fmt::format("rail.profile = '{}'\nwheel.profile = '{}'\nposition = {{ cant = {}, lateral = {} }}\n"
+                    "wheelset = {{ force = {}, force_y = 0 }}\nsolver.model = 'halfspace'\n{}",
+                    c.rail, c.wheel, c.cant, c.from, c.force, c.more)));
+    SCOPED_TRACE(fmt::format("{} on {} from {}: {} +- {}", c.wheel, c.rail, c.from, r.state.pose.lateral,
+                             r.lateral_error));
+    EXPECT_LE(r.lateral_residual, 2e-6);
+    EXPECT_TRUE(std::isfinite(r.lateral_error));
+    EXPECT_LE(std::abs(r.state.pose.lateral), r.lateral_error);
+  }
+}
+
 /// Where the start already bears the force it is the answer, on the flange too.
 TEST(Wheelset, AStartThatIsASolutionIsKept) {
   SceneFile scene = standard("wheelset.force_y = 1e4\nposition.lateral = 5.5\n");
