@@ -118,9 +118,10 @@ std::optional<LateralBracket> LateralSearch::beside_start(const LateralForce& fo
                                 {question_.start, *there}, lateral::unsure, lateral::spacing);
 }
 
-/// The model's own bracket about a displacement where the curve passes the force. Nothing if the model does
-/// not pass it there; the curve then knows better.
-std::optional<LateralBracket> LateralSearch::bracket(const LateralForce& force, const Crossing& crossing) {
+/// The model's own bracket about a displacement where the curve passes the force, from where the model is
+/// known `within` (mm) of it. Nothing if the model does not pass it there; the curve then knows better.
+std::optional<LateralBracket> LateralSearch::bracket(const LateralForce& force, const Crossing& crossing,
+                                                     double within) {
   const auto learning = [&](double at) {
     const std::optional<double> there = force(at);
     if (!there)
@@ -133,7 +134,7 @@ std::optional<LateralBracket> LateralSearch::bracket(const LateralForce& force, 
   for (const int side : {-1, 1}) {
     const std::optional<LateralSample> beside =
         curve_.exact_beside(side < 0 ? crossing.low.lateral : crossing.high.lateral, side);
-    if (!beside || std::abs(beside->lateral - crossing.about) > lateral::spacing)
+    if (!beside || std::abs(beside->lateral - crossing.about) > within)
       continue;
     if (met(beside->force))
       return LateralBracket{*beside, *beside};
@@ -223,7 +224,8 @@ double LateralSearch::find(const LateralForce& force) {
     if (crossing && round > rounds)
       refuse_search(wanted, {crossing->about, NAN}, tolerance);
     if (crossing) {
-      found = bracket(force, *crossing);
+      // First the curve tells where: it is better than steps from a start that is not near.
+      found = bracket(force, *crossing, round == 1 ? lateral::unsure : lateral::spacing);
       continue;
     }
     try_extremum(force, round > rounds);
