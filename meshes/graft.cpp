@@ -12,6 +12,25 @@
 namespace bem_contact::meshes {
 namespace {
 
+/// mm. An end may lie so far off the body.
+constexpr double largest_joint_distance = 2.0;
+/// rad. Between the tangents there: a flank that ends beside the under-head fillet.
+constexpr double largest_joint_slope = 0.7;
+/// mm. A blend replaces at least so much of the outline,
+constexpr double shortest_blend = 4.0;
+/// 1. and at least so many times the distance.
+constexpr double blend_ratio = 5.0;
+/// 1 (share of the section's area).
+constexpr double largest_area_change = 0.3;
+/// mm. Distance of the points of the outline among which the nearest one is looked for first.
+constexpr double joint_step = 0.25;
+/// 1. Of a piece, at least,
+constexpr int least_joint_samples = 32;
+/// 1. and at most.
+constexpr int most_joint_samples = 4000;
+/// 1. Times that the bracket around the nearest point is shortened by a third: to the last bit.
+constexpr int nearest_place_steps = 100;
+
 /// A place on a closed loop.
 struct Place {
   std::size_t piece = 0;

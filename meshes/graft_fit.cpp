@@ -4,12 +4,21 @@
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/profile/worn/settings.hpp"
 #include "bem_contact/profile/worn/worn_nominal.hpp"
-#include "meshes/settings.hpp"
 
 #include <fmt/format.h>
 
 namespace bem_contact::meshes {
 namespace {
+
+/// 1 (share of the profile). Less unworn profile finds no place.
+constexpr double least_grafted_share = 0.33;
+/// 1. A second place with more than this share of the best one's is as good: then nobody can choose.
+constexpr double rival_share = 0.9;
+/// 1. How much a unit move of the unworn part is felt at right angles to the surface, squared, at least. On
+/// less, an arc or a line, the body slides.
+constexpr double least_stiffness = 0.004;
+/// 1. Points of the profile.
+constexpr int graft_samples = 300;
 
 std::string words(const NominalPlace& place) {
   return fmt::format("graft_at = [{:.3f}, {:.3f}], graft_angle = {:.5f}", place.shift.y, place.shift.z,

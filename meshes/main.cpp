@@ -26,6 +26,9 @@ namespace {
 
 using namespace bem_contact;
 
+/// s. How often a mesh that takes longer says that it is still made. Chosen: a usual mesh takes one to five.
+constexpr double sign_of_life = 10.0;
+
 constexpr const char* description =
     "Meshes the cross-section of a body in quadrilaterals. The body is described by a body file: a rail,\n"
     "wheel, block, disc, bore, or an outline of your own. Elements are small on the contact strip and grow\n"
@@ -67,7 +70,7 @@ int run(const std::string& body_file, const std::string& output, bool solid, boo
   const meshes::QuadMesh mesh = [&] {
     const meshes::Heartbeat heartbeat(
         "meshing " + body.body.name,
-        std::chrono::milliseconds(static_cast<long>(1000 * meshes::sign_of_life)), std::cerr);
+        std::chrono::milliseconds(static_cast<long>(1000 * sign_of_life)), std::cerr);
     if (!solid)
       return meshes::mesh_section(body);
     whole = meshes::mesh_solid(body);

@@ -13,6 +13,14 @@ namespace bem_contact::meshes {
 
 namespace {
 
+/// mm. Distance of the places where the body's thickness is measured.
+constexpr double ray_step = 0.5;
+/// 1 (cosine between the sides). Only an opposite side counts as the other side of a thin part: the neighbour
+/// at a corner is no reason for small elements.
+constexpr double opposite_side = -0.8;
+/// 1 (sine). A side that is this parallel to a ray is not hit by it.
+constexpr double parallel_side = 1e-12;
+
 struct Candidate {
   double size;
   Point2 place;

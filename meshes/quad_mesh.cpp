@@ -1,7 +1,5 @@
 #include "meshes/quad_mesh.hpp"
 
-#include "meshes/settings.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +7,11 @@
 
 namespace bem_contact::meshes {
 namespace {
+
+/// 1 (scaled Jacobian). Vertices of quads below it also try places to all sides.
+constexpr double mediocre_quality = 0.6;
+/// 1 (scaled Jacobian). A vertex moves only where it gains more: rounding.
+constexpr double least_gain = 1e-6;
 
 double area(const std::array<Point2, 4>& q) {
   return cross(q[2] - q[0], q[3] - q[1]) / 2;

@@ -8,6 +8,15 @@
 namespace bem_contact::meshes {
 namespace {
 
+/// mm. Distance of the points in which an outline is sampled, far below any element's size.
+constexpr double outline_step = 0.1;
+/// 1. Of a piece, at least,
+constexpr int least_outline_samples = 64;
+/// 1. and at most.
+constexpr int most_outline_samples = 4000;
+/// mm. Curvature of the outline is the turn over this to both sides: it smooths the noise of measured points.
+constexpr double curvature_reach = 0.25;
+
 Point2 direction(const Piece& piece, double at_part, double to_part) {
   const double range = piece.to - piece.from;
   return piece.at(piece.from + range * to_part) - piece.at(piece.from + range * at_part);

@@ -19,6 +19,12 @@ namespace {
 
 using std::numbers::pi;
 
+/// 1 (share of its radius). Hole of a disc, which must be held somewhere. Its effect is removed as structure.
+constexpr double hole_of_disc = 0.05;
+/// 1 (share of half the foot's width). What is steep and nearer to the middle is web, what is farther the
+/// edge of the foot.
+constexpr double widest_web = 0.5;
+
 /// The profile in walking order, the strip marked; the strip comes first, what lies before it last.
 struct Running {
   Piece strip;

@@ -11,6 +11,15 @@
 namespace bem_contact::meshes {
 namespace {
 
+/// 1 (smallest scaled Jacobian). A worse mesh is refused: its elements are nearly folded. Chosen.
+constexpr double refused_quality = 0.05;
+/// 1. Sweeps that move the vertices inside a mesh. Later ones no longer change the worst quad. Chosen.
+constexpr int smoothing_sweeps = 10;
+/// mm. How far a vertex of the strip may be off the profile: rounding of an arc length.
+constexpr double strip_slack = 1e-9;
+/// 1 (share of the area). How far the quads' area may be off that of the outline: rounding.
+constexpr double area_slack = 1e-9;
+
 /// The quads must fill the outline exactly: no hole, no overlap.
 void check_area(const QuadMesh& mesh, double area, const std::string& name) {
   double twice = 0;

@@ -1,12 +1,19 @@
 #include "meshes/size_field.hpp"
 
-#include "meshes/settings.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace bem_contact::meshes {
+
+namespace {
+
+/// 1. Sizes of the size field are rounded down to powers of this, so that few square roots are needed.
+constexpr double level_ratio = 1.05;
+/// 1. Sizes that differ by less, relatively, are the same level: rounding of a power.
+constexpr double same_level = 1e-9;
+
+} // namespace
 
 void SizeField::add(double size, std::vector<Point2> sources) {
   // Levels keep the number of square roots small: one a level and place.

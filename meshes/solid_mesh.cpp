@@ -17,6 +17,15 @@
 namespace bem_contact::meshes {
 namespace {
 
+/// 1. Growth of the layers along x, over their distance from x = 0.
+constexpr double layer_growth = 0.6;
+/// 1. A last layer of less than this many steps is as long as what is left.
+constexpr double last_layer = 1.5;
+/// 1 (smallest scaled Jacobian). A coarse section this good ends the attempts.
+constexpr double good_quality = 0.3;
+/// rad. Of one layer of a wheel at most, which is a straight hexahedron.
+constexpr double widest_sector = 20 * std::numbers::pi / 180;
+
 /// The body with a strip of `bundle` stations an edge, an even number of edges, reaching over the one asked
 /// for by whole stations; nothing where the profile is too short for it.
 std::optional<BodyFile> bundled(const BodyFile& body, const ProfileCurve& curve, int bundle) {

@@ -3,7 +3,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "meshes/gmsh_session.hpp"
-#include "meshes/settings.hpp"
 
 #include <fmt/format.h>
 
@@ -15,6 +14,9 @@
 
 namespace bem_contact::meshes {
 namespace {
+
+/// 1 (share of the chord's square). An edge of the outline that bulges by less is straight.
+constexpr double straight_edge = 1e-7;
 
 constexpr int line_type = 1, quad_type = 3, hexahedron_type = 5;
 

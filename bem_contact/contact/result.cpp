@@ -1,7 +1,5 @@
 #include "bem_contact/contact/result.hpp"
 
-#include "bem_contact/contact/settings.hpp"
-
 #include <algorithm>
 #include <cmath>
 

@@ -8,6 +8,9 @@ namespace bem_contact {
 
 namespace {
 
+/// rad. Turn of the tangent between two nodes of the locus at an edge: 0.1 mm of an edge rounded with 20 mm.
+constexpr double edge_step = 0.005;
+
 /// sin and cos of theta at which the normal has no component along x; nothing where there is none.
 struct Meridian {
   double sine = 0, cosine = 1;

@@ -17,6 +17,9 @@ namespace bem_contact {
 
 namespace {
 
+/// 1 (node intervals, 0.1 mm each). How closely the end of a flat stretch is found.
+constexpr double flat_end_width = 1e-6;
+
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 /// Indices in (from, to) of local minima that a barrier separates from each other and from lower ends, the

@@ -1,11 +1,17 @@
 #include "bem_contact/geometry/level_roll.hpp"
 
-#include "bem_contact/geometry/settings.hpp"
-
 #include <cmath>
 #include <optional>
 
 namespace bem_contact {
+
+namespace {
+
+/// 1. Steps to the roll at which both wheels stand on their rails. Each is a secant step; 3 or 4 are usual. A
+/// bound.
+constexpr int roll_steps = 40;
+
+} // namespace
 
 double level_roll(const std::function<double(double)>& unequal, double roll, double contact_distance,
                   double tolerance) {

@@ -1,7 +1,6 @@
 #include "bem_contact/geometry/placement.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/geometry/settings.hpp"
 #include "bem_contact/profile/wheel_datum.hpp"
 
 #include <algorithm>

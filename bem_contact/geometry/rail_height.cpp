@@ -9,6 +9,13 @@
 
 namespace bem_contact {
 
+namespace {
+
+/// 1. Newton steps for the height of the rail at y. They converge quadratically; the number is a bound.
+constexpr int height_newton_steps = 30;
+
+} // namespace
+
 RailHeight::RailHeight(const WheelOnRail& pair)
     : rail_(pair.rail), origin_(pair.rail_pose.origin), turn_(pair.rail_pose.angle) {
   nodes_.reserve(rail_.nodes().size());

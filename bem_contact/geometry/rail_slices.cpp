@@ -7,6 +7,16 @@
 
 namespace bem_contact {
 
+namespace {
+
+/// mm. A slice farther from the wheel is left out: three times the largest approach.
+constexpr double farthest_slice = 3.0;
+/// 1. Least curvature along x of a slice, in curvatures of the wheel: a yawed hollow wheel may have none, and
+/// the estimate needs some.
+constexpr double least_slice_curvature = 0.05;
+
+} // namespace
+
 std::vector<RailSlice> slice_rail(const WheelOnRail& pair, const ContactLocus& locus) {
   std::vector<ContactRow> rows;
   const auto& [origin, angle] = pair.rail_pose;

@@ -11,6 +11,9 @@ namespace {
 
 using Node = TabulatedProfile::Node;
 
+/// mm. The table gets no finer, so that noise in a measured profile cannot make it endless.
+constexpr double smallest_table_step = 2e-3;
+
 TabulatedProfile::Point hermite(const Node& a, const Node& b, double t) {
   const double length = b.s - a.s, u = 1 - t;
   const Point2 chord = b.position - a.position;

@@ -10,6 +10,19 @@ namespace bem_contact {
 
 namespace {
 
+/// mm. A wheel that overlaps the rail by more is the other side of the flange, not the contact.
+constexpr double deepest_overlap = 2.0;
+/// mm of the wheel's profile. How far the crossing with a section x = const may lie from that with the locus.
+/// Half of a flange's width: rows and sections of one contact stay on the same side of the flange.
+constexpr double section_margin = 6.0;
+/// 1. The nearest node is looked for among every so many (1.2 mm), then downhill: no rail or wheel has two
+/// minima of the distance so near to each other.
+constexpr int node_stride = 12;
+/// 1. Rows for which that is begun together. Larger groups have more nodes within their reach. Measured.
+constexpr int rows_together = 16;
+/// 1. Room for rounding in the square of that reach.
+constexpr double rounding_of_reach = 1e-12;
+
 /// The normal of a row, seen along x.
 struct Ray {
   Point2 origin, tangent, normal;

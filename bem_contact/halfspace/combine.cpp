@@ -1,12 +1,18 @@
 #include "bem_contact/halfspace/combine.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/halfspace/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace bem_contact::halfspace {
+
+namespace {
+
+/// 1. Two bodies whose element sizes differ by less, relatively, have the same grid: rounding.
+constexpr double same_grid = 1e-9;
+
+} // namespace
 
 InfluenceNumbers combine(const InfluenceNumbers& lower, InfluenceNumbers upper) {
   const auto same = [](double a, double b) {

@@ -1,9 +1,16 @@
 #include "bem_contact/halfspace/line_store.hpp"
 
 #include "bem_contact/halfspace/element_line.hpp"
-#include "bem_contact/halfspace/settings.hpp"
 
 namespace bem_contact::halfspace {
+
+namespace {
+
+/// 1. Numbers in the lines that are kept: 16 MB, or 5,000 lines of 40 offsets (a case by influence files has
+/// about a hundred). When there are more, all go. Chosen.
+constexpr int most_line_values = 2000000;
+
+} // namespace
 
 LineStore::Line LineStore::get(const Material& material, double s, double dx, double ds,
                                std::size_t offsets) {

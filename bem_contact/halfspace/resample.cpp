@@ -17,6 +17,10 @@
 namespace bem_contact::halfspace {
 namespace {
 
+/// 1 (row widths). How much of the outermost half row must lie on the strip. Less than a half, because rows
+/// that are equally wide on one body are up to 1 % narrower or wider on the other.
+constexpr double required_half_row = 0.49;
+
 void check_rows(const InfluenceFunction& function, std::span<const double> row_s, double ds) {
   if (row_s.empty() || !(std::isfinite(ds) && ds > 0))
     throw InputError("Influence numbers cannot be resampled",

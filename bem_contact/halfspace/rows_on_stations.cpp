@@ -1,7 +1,6 @@
 #include "bem_contact/halfspace/rows_on_stations.hpp"
 
 #include "bem_contact/halfspace/near_field.hpp"
-#include "bem_contact/halfspace/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,9 @@
 
 namespace bem_contact::halfspace {
 namespace {
+
+/// 1 (station widths). A row this near to a station is that station: the rounding of s.
+constexpr double station_snap = 1e-9;
 
 /// Rows and columns of a matrix over the stations.
 struct Used {

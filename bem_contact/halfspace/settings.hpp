@@ -26,10 +26,6 @@ BEM_CONTACT_TUNED(double, plane_strain_reference, 100.0);
 
 /// rad. Rows whose turns differ by less turn evenly: the rounding of an inclination.
 BEM_CONTACT_TUNED(double, equal_turn, 1e-10);
-/// 1 (share of a row's width). Rows whose steps differ by less are equally far apart: rounding, as above.
-BEM_CONTACT_TUNED(double, equal_step, 1e-9);
-/// rad. A strip that turns by less altogether is flat.
-BEM_CONTACT_TUNED(double, flat_turn, 1e-9);
 
 // Resampling.
 
@@ -38,15 +34,5 @@ BEM_CONTACT_TUNED(double, flat_turn, 1e-9);
 BEM_CONTACT_TUNED(double, near_field_accuracy, 1e-6);
 /// 1 (share of a row's width). Distances that differ by less share their numbers: rounding.
 BEM_CONTACT_TUNED(double, same_distance, 1e-12);
-/// 1. Numbers in the lines that are kept: 16 MB, or 5,000 lines of 40 offsets (a case by influence files has
-/// about a hundred). When there are more, all go. Chosen.
-BEM_CONTACT_TUNED(int, most_line_values, 2000000);
-/// 1 (station widths). A row this near to a station is that station: the rounding of s.
-BEM_CONTACT_TUNED(double, station_snap, 1e-9);
-/// 1 (row widths). How much of the outermost half row must lie on the strip. Less than a half, because rows
-/// that are equally wide on one body are up to 1 % narrower or wider on the other.
-BEM_CONTACT_TUNED(double, required_half_row, 0.49);
-/// 1. Two bodies whose element sizes differ by less, relatively, have the same grid: rounding.
-BEM_CONTACT_TUNED(double, same_grid, 1e-9);
 
 } // namespace bem_contact::halfspace

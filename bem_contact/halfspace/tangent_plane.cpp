@@ -11,6 +11,11 @@
 namespace bem_contact::halfspace {
 namespace {
 
+/// 1 (share of a row's width). Rows whose steps differ by less are equally far apart: rounding, as above.
+constexpr double equal_step = 1e-9;
+/// rad. A strip that turns by less altogether is flat.
+constexpr double flat_turn = 1e-9;
+
 /// Signed along s.
 double chord(const ContactRow& from, const ContactRow& to) {
   const Point2 d = to.position - from.position;

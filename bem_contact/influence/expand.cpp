@@ -25,6 +25,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Table = Eigen::Map<const RowMajor>;
 
+/// 1. How far the phase of least_half_element_phase may fall short: rounding.
+constexpr double phase_slack = 1e-9;
+/// 1. How far the ratio of an element's length to a table's may be from a whole number: rounding.
+constexpr double whole_ratio_slack = 1e-9;
+
 /// Element length on the reference radius and the load's scale: A(x; a) = (Rc/R) A_ref(x R/Rc; a R/Rc), since
 /// the kernel's unit load is per reference area.
 struct Scaling {

@@ -6,7 +6,6 @@
 #include "bem_contact/h5/strict.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/lower_triangle.hpp"
-#include "bem_contact/influence/settings.hpp"
 
 #include <algorithm>
 #include <ostream>
@@ -21,6 +20,13 @@ using strict_h5::read;
 using strict_h5::read_columns;
 using strict_h5::read_table;
 using strict_h5::write;
+
+/// 1. Of an influence file so many times the stations are read that a first contact needs: its patch may
+/// grow, and the next case be beside it.
+constexpr int first_stations_read = 2;
+/// 1. And so many times those that were needed so far, when the contact has left them: each reading goes
+/// through the file, 5 ms for 15 MB, so there should be few of them. Chosen, as the one before.
+constexpr int more_stations_read = 3;
 
 constexpr std::string_view prismatic_name = "prismatic", revolution_name = "revolution";
 

@@ -1,7 +1,6 @@
 #include "bem_contact/influence/influence_function.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/influence/settings.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -10,6 +9,11 @@
 
 namespace bem_contact {
 namespace {
+
+/// 1 (station widths). How unequally stations may be spaced: the rounding of s in a file.
+constexpr double station_spacing_slack = 1e-6;
+/// 1 (share of half a turn). How far the half period of a body of revolution may be off: rounding.
+constexpr double half_turn_slack = 1e-9;
 
 [[noreturn]] void refuse(const std::string& problem, const std::string& why) {
   throw InputError("The influence function is not valid: " + problem, why,

@@ -3,7 +3,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/sealed_journal.hpp"
 #include "bem_contact/base/sha256.hpp"
-#include "bem_contact/influence/settings.hpp"
 
 #include <cstring>
 #include <fmt/format.h>
@@ -11,6 +10,9 @@
 
 namespace bem_contact {
 namespace {
+
+/// 1. Error figures that a wavenumber may have in the file of finished ones: more mean a damaged file.
+constexpr std::size_t most_errors = 1000;
 
 constexpr JournalKind wavenumber_journals{
     .magic = "conformal-contact partial influence 3\n",

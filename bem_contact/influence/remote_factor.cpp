@@ -1,13 +1,20 @@
 #include "bem_contact/influence/remote_factor.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/influence/settings.hpp"
 
 #include <Eigen/Cholesky>
 
 #include <string>
 
 namespace bem_contact {
+
+namespace {
+
+/// 1. Reciprocal condition of the remote section's compliance, scaled to a unit diagonal, below which the
+/// structure is not removed: its inverse would have no correct digits.
+constexpr double least_remote_condition = 1e-13;
+
+} // namespace
 
 RowMajor remote_factor(const InfluenceStrip& f, StationRange range, Eigen::Index k) {
   using Table = Eigen::Map<const RowMajor>;

@@ -7,6 +7,13 @@
 
 namespace bem_contact {
 
+namespace {
+
+/// 1 (share of the arc lengths). How far a patch may reach beyond the strip: rounding.
+constexpr double strip_rounding = 1e-9;
+
+} // namespace
+
 void require_profile(const InfluenceDescription& f, const std::string& profile, std::uint64_t digest) {
   if (f.profile_digest != digest)
     throw InputError(

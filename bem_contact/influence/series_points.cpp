@@ -13,6 +13,13 @@ namespace bem_contact {
 
 namespace {
 
+/// Sets of points that are kept: two files, on a few sizes of grids. A set has about 100 kB. Chosen.
+constexpr std::size_t series_points_kept = 16;
+/// 1 (share of a wavenumber). A harmonic that is beyond the last sample by less is not beyond it: rounding.
+constexpr double last_sample_slack = 1e-12;
+/// 1 (share of a wavenumber). A harmonic this near to a sample is that sample: rounding.
+constexpr double sample_snap = 1e-10;
+
 constexpr std::size_t neighbours = 6; ///< of the interpolation between samples
 
 struct Interpolation {

@@ -16,6 +16,9 @@ namespace bem_contact {
 namespace {
 
 using Complex = std::complex<double>;
+/// 1 (harmonics). and without a phase from this harmonic on (Euler-Maclaurin: next term below 1e-16).
+constexpr double expansion_start = 64.0;
+
 constexpr int most_terms = 64; ///< of an expansion: room for them, and a bound
 
 /// Sum over n >= start of n^-power: Euler-Maclaurin, next term below 1e-16 for start >= 64.

@@ -2,7 +2,6 @@
 
 #include "bem_contact/influence/remote_factor.hpp"
 #include "bem_contact/influence/series_weights.hpp"
-#include "bem_contact/influence/settings.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -17,6 +16,15 @@ namespace {
 using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>; // as SixBySix lies in memory
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Eigen::MatrixXd;
+
+/// mm. Length along x over which the motion of a strip is averaged and its force is spread: about that of a
+/// contact. Structural motion varies over 20 mm and more, the distance of the remote section.
+constexpr double structure_length = 10.0;
+/// 1. Elements of that length. A force spread by 10 in place of 5 changes the matrix by less than 1e-3.
+constexpr int structure_elements = 5;
+/// 1. Least reciprocal condition number (unit diagonal) of a structure's compliance that is inverted:
+/// rounding of the influence numbers would show in the stiffness of a worse one.
+constexpr double least_structure_condition = 1e-12;
 
 /// Displacements of one section, in the order of its columns: u_x = 1, y, z; then u of the section as it
 /// moves along y, along z, and turns about x. (y, z) is measured from the point.

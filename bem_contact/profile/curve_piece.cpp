@@ -14,6 +14,14 @@ namespace {
 
 using std::numbers::pi;
 
+/// 1. Samples of a polynomial piece from which the search for its nearest point starts. Pieces are about 1 mm
+/// long, so that the distance has no second minimum between two samples. Chosen.
+constexpr int nearest_samples = 6;
+/// 1. Newton steps inside a polynomial piece: bounds. Newton converges in about four.
+constexpr int arc_length_steps = 20;
+/// 1. As above; each step may be a halving instead.
+constexpr int nearest_steps = 60;
+
 double sinc(double x) {
   return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x;
 }

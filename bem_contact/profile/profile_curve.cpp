@@ -21,6 +21,17 @@ namespace {
 
 using std::numbers::pi;
 
+/// 1. A corner also turns by more than this many times the turns beside it. On a coarsely sampled arc all
+/// turns are alike, so that it gets no corners.
+constexpr double corner_contrast = 2.0;
+/// mm. Nearer points of a curve coincide: a chord between them has no direction.
+constexpr double coinciding_points = 1e-9;
+/// mm. A point this near to y = 0 lies on it: the rounding of a joint's coordinates.
+constexpr double on_axis = 1e-12;
+/// 1. Bounds of a search for the nearest piece are widened by so much, so that no piece's own bound, rounded,
+/// excludes it.
+constexpr double bound_rounding = 1e-12;
+
 double to_branch(double angle, double near) {
   return angle + 2 * pi * std::round((near - angle) / (2 * pi));
 }

@@ -27,6 +27,13 @@ namespace bem_contact {
 
 namespace {
 
+/// 1. What is removed may exceed the noise by this factor. More is shape.
+constexpr double removed_over_noise = 2.0;
+/// mm. Less removed shape does not matter. Chosen: below it no pressure moved by 1 %.
+constexpr double least_removed = 5e-4;
+/// 1 (share of the advised smoothing). Less leaves noise that shows: its pressure grows by half.
+constexpr double least_smoothing_share = 0.85;
+
 /// The contact curve of a body file; a rail is walked towards +y, a wheel towards -y.
 ProfileCurve profile_of_body(const std::filesystem::path& file, ProfileKind kind) {
   const BodyFile body = read_body_file(file);

@@ -13,6 +13,27 @@ namespace bem_contact {
 
 namespace {
 
+/// mm. How far the tip of a flange lies from its back: 15 mm on S1002 (EN 13715), 12 to 22 on worn and
+/// American wheels.
+constexpr double nearest_tip_to_back = 5.0;
+/// mm. As above.
+constexpr double farthest_tip_from_back = 32.0;
+/// mm. Range of the tip's y over wheels whose y = 0 is at the tape circle: 62 to 78 mm from the back.
+constexpr double lowest_tip = -75.0;
+/// mm. As above.
+constexpr double highest_tip = -35.0;
+/// mm. y of the tip of S1002.
+constexpr double usual_tip = -55.0;
+/// mm. A file whose flange ends in a steep face elsewhere than at its usual place by more has another datum,
+/// or another distance of the tape circle from the back: 58 to 65 mm on trams, 77.8 in America.
+constexpr double usual_back = 3.0;
+/// mm. So wide is what belongs to that face: draft, and noise.
+constexpr double back_face = 0.5;
+/// 1. Slope from there to the face's end: 1 mm of S1002 beside its back rises by 7.
+constexpr double least_back_slope = 2.5;
+/// mm. A worn wheel may be as low at its tape circle; more is another datum.
+constexpr double highest_tape_circle = 6.0;
+
 /// Height at y = 0, by the chord that spans it on the walk's first crossing from the field side.
 std::optional<double> height_at_tape_circle(std::span<const Point2> p) {
   for (std::size_t i = 1; i < p.size(); ++i)

@@ -1,7 +1,6 @@
 #include "bem_contact/reference/creep_coefficients.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/reference/settings.hpp"
 
 #include <Eigen/QR>
 
@@ -25,6 +24,13 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+/// 1. Directions of the chords in the creep coefficients, per ratio of the long to the short axis. The
+/// integrand has its nearest pole about one over that ratio off the real axis; 20 give all digits.
+constexpr double directions_per_aspect = 20.0;
+/// 1. Points of the leading edge at which the creep coefficients ask for finite tractions, per degree of the
+/// polynomials plus 1. Chosen: enough for a mean square over the edge.
+constexpr int edge_points_per_degree = 8;
 
 using std::numbers::pi;
 

@@ -1,7 +1,6 @@
 #include "bem_contact/reference/hertz.hpp"
 
 #include "bem_contact/reference/positive.hpp"
-#include "bem_contact/reference/settings.hpp"
 
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>
@@ -14,6 +13,9 @@ namespace bem_contact::reference {
 namespace {
 
 using std::numbers::pi;
+
+/// 1. Least ratio of the axes of Hertz's ellipse: far below that of any contact, far above the least number.
+constexpr double least_axis_ratio = 1e-12;
 
 /// Complete elliptic integrals of the parameter m = 1 - k^2: K, D = (K - E)/m and B = K - D.
 struct Elliptic {

@@ -2,7 +2,6 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/elastic_limit.hpp"
-#include "bem_contact/scene/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,10 @@
 namespace bem_contact {
 
 namespace {
+
+/// mm. The approach of a plane-strain contact is relative to a point this far away; on a curved strip to one
+/// at the distance of its radius.
+constexpr double plane_strain_distance = 100.0;
 
 Body body_of(const SceneFile::Side& side, const std::filesystem::path& folder) {
   return {side.material, side.influence.empty() ? std::filesystem::path() : folder / side.influence,

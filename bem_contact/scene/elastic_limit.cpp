@@ -10,6 +10,10 @@ namespace bem_contact {
 
 namespace {
 
+/// 1. Share of the softer body's Young's modulus that no pressure may exceed: strains are tens of percent
+/// there, and the theory is one of small strains. (Steel yields at a hundredth of that.)
+constexpr double largest_pressure_share = 0.2;
+
 double limit_of(const ContactSetup& setup) {
   return largest_pressure_share * std::min(setup.rail.material.young(), setup.wheel.material.young());
 }

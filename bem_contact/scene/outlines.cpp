@@ -1,7 +1,6 @@
 #include "bem_contact/scene/outlines.hpp"
 
 #include "bem_contact/geometry/undeformed_distance.hpp"
-#include "bem_contact/scene/settings.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -9,6 +8,11 @@
 namespace bem_contact {
 
 namespace {
+
+/// mm. How much of both profiles a picture shows finely on either side of the rows.
+constexpr double outline_margin = 12.0;
+/// mm. Of the points that it shows of the rest: a fillet of 10 mm still looks round.
+constexpr double outline_spacing = 1.0;
 
 /// Every node between `from` and `to`, and beyond them one every outline_spacing.
 struct Thinning {

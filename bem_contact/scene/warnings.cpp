@@ -13,6 +13,28 @@ namespace bem_contact {
 
 namespace {
 
+/// 1. A friction coefficient above this is probably a mistake: wheels and rails stay below 0.8, dry and
+/// sanded.
+constexpr double highest_friction = 1.0;
+/// N. A wheel load below this is probably in kN: an empty wagon has 20 kN on a wheel, a roller rig of 1/5
+/// scale some 500 N.
+constexpr double least_wheel_load = 300.0;
+/// MPa. A Young's modulus above this is probably one in another unit: somewhat above diamond.
+constexpr double stiffest_modulus = 1.3e6;
+/// 1. A spin times the wheel's radius above this is probably in 1/m: a wheel that rolls on a vertical face of
+/// its flange has 1.
+constexpr double largest_spin = 10.0;
+/// mm. The thinnest flange of a wheel in service (EN 15313): with it the wheelset moves farthest until the
+/// other wheel's flange meets its rail.
+constexpr double thinnest_flange = 22.0;
+/// mm. A wheel radius above this is probably a diameter: the largest of railways in service is 625 mm.
+constexpr double largest_wheel_radius = 750.0;
+/// 1. A velocity above this share of the speed, or a rolling radius that differs from the wheel's by more, is
+/// probably in another unit.
+constexpr double largest_motion_share = 0.3;
+/// mm. Contact this near to the height of a flange's tip is contact on the tip.
+constexpr double flange_tip_depth = 2.0;
+
 /// `on_rail`: wheels and rails are not as soft as patches may be.
 void look_at_materials(const SceneFile& scene, bool on_rail, std::vector<std::string>& out) {
   for (const auto& [key, body] :

@@ -6,7 +6,6 @@
 #include "bem_contact/scene/warnings.hpp"
 #include "bem_contact/sequence/numbers/settings.hpp"
 #include "bem_contact/sequence/plan/model_choice.hpp"
-#include "bem_contact/sequence/settings.hpp"
 #include "bem_contact/sequence/solution/grow_grid.hpp"
 #include "bem_contact/sequence/solution/solve_case.hpp"
 #include "bem_contact/sequence/solution/trim_plan.hpp"
@@ -20,6 +19,13 @@
 namespace bem_contact {
 
 namespace {
+
+/// mm. Touch points that are nearer than this are described by bem_contact check.
+constexpr double described_distance = 1.0;
+/// mm. Room that a strip gets on either side beyond the rows of the frictionless contact. Chosen.
+constexpr double strip_reserve = 1.0;
+/// mm. The station width of the body files of data/bodies.
+constexpr double usual_station_width = 0.25;
 
 /// Arc lengths on one body, mm.
 struct Range {

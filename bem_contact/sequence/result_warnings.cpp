@@ -16,6 +16,22 @@ namespace bem_contact {
 
 namespace {
 
+/// 1. Elements across a patch below which they are said to be too large: each is a fifth of it.
+constexpr int fewest_across = 5;
+/// 1. A patch that bears less than this share of the largest one's force has no such warning.
+constexpr double minor_patch = 0.05;
+/// MPa. Least yield strength of wheels of grade ER7 (EN 13262); rails of grade R260 have about the same.
+constexpr double yield_strength = 520.0;
+/// 1. The mean pressure of a fully plastic contact is about so many times the yield strength (Tabor 1951).
+constexpr double yield_factor = 3.0;
+/// MPa. A body with a smaller Young's modulus is not of steel, and its strength is not known.
+constexpr double least_steel_modulus = 1.5e5;
+/// 1. A larger creepage is probably a mistake: a wheel that slides or spins as a whole.
+constexpr double largest_creepage = 0.1;
+/// mm. Contact lower than this below the top of the rail is beyond its head: gauge is measured 14 mm below
+/// the top, and worn flanges touch little lower.
+constexpr double head_depth = 18.0;
+
 void warn_of_yield(const ContactSetup& setup, double pmax, std::vector<std::string>& out) {
   const double softer = std::min(setup.rail.material.young(), setup.wheel.material.young());
   if (softer > least_steel_modulus && pmax > yield_factor * yield_strength)

@@ -10,7 +10,6 @@
 #include "bem_contact/sequence/plan/contact_case.hpp"
 #include "bem_contact/sequence/plan/contact_estimate.hpp"
 #include "bem_contact/sequence/plan/element_size.hpp"
-#include "bem_contact/sequence/plan/settings.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/settings.hpp"
 #include "bem_contact/sequence/solution/free_rolling.hpp"
@@ -26,6 +25,14 @@
 namespace bem_contact {
 
 namespace {
+
+/// 1. Elements in contact of the rough half-space solutions that a search for a lateral force begins with.
+/// Chosen: they only tell which branches there are.
+constexpr int lateral_map_elements = 60;
+/// 1. Length and width over the wanted ones.
+constexpr double coarse_former = 1.5;
+/// 1. Grids whose operators are kept: they take more.
+constexpr int operators_kept = 3;
 
 /// How a scene is solved on the way to an answer.
 struct SceneTask {

@@ -1,12 +1,22 @@
 #include "bem_contact/sequence/stresses.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/sequence/settings.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
 namespace bem_contact {
+
+namespace {
+
+/// 1. Most points at which stresses are computed: some minutes.
+constexpr double most_stress_points = 1e6;
+/// 1. Most products of points and elements: some minutes.
+constexpr double most_stress_sums = 1e9;
+/// 1 (widths). Half length of a plane-strain element where stresses are summed.
+constexpr double endless_element = 1e6;
+
+} // namespace
 StressesBelow stresses_below(const SceneFile::Stresses& asked, const ContactProblem& problem,
                              const ContactResult& result, double poisson, double reference_s) {
   const std::size_t points = asked.x.size() * asked.s.size() * asked.depths.size();

@@ -11,7 +11,6 @@
 #include "fem_influence/shared/body_description.hpp"
 #include "fem_influence/shared/memory.hpp"
 #include "fem_influence/shared/parallel.hpp"
-#include "fem_influence/shared/settings.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -22,6 +21,10 @@
 namespace bem_contact::fem {
 
 namespace {
+
+/// 1. One of so many processes begins with the companion, so that the others never mesh it. The companion is
+/// a sixth of the work.
+constexpr int processes_per_companion = 5;
 
 /// What is given, and must live as long as the run.
 struct Input {
@@ -44,7 +47,7 @@ struct Processes {
 };
 
 Processes::Processes(bool companion) {
-  const int last = std::max(1, process_count() / settings::processes_per_companion);
+  const int last = std::max(1, process_count() / processes_per_companion);
   const auto begins_with_companion = [&](int rank) {
     return companion && rank > 0 && rank >= process_count() - last;
   };

@@ -1,7 +1,6 @@
 #include "fem_influence/harmonic/harmonic_solver.hpp"
 
 #include "bem_contact/base/stopwatch.hpp"
-#include "fem_influence/shared/settings.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -10,6 +9,15 @@
 #include <cmath>
 
 namespace bem_contact::fem {
+
+namespace {
+
+/// 1. The smallest eigenvalue is only printed: inverse iterations at most, and the relative change that ends
+/// them.
+constexpr int eigenvalue_iterations = 100;
+constexpr double eigenvalue_change = 1e-3;
+
+} // namespace
 
 double smallest_eigenvalue(std::span<const double> kernel) {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -20,12 +28,12 @@ double smallest_eigenvalue(std::span<const double> kernel) {
     return 0;
   Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(n, -1, 1.7).array().cos(); // of no symmetry
   double value = 0;
-  for (int iteration = 0; iteration < settings::eigenvalue_iterations; ++iteration) {
+  for (int iteration = 0; iteration < eigenvalue_iterations; ++iteration) {
     x.normalize();
     const Eigen::VectorXd y = factor.solve(x);
     const double next = 1 / x.dot(y);
     x = y;
-    if (std::abs(next - value) < settings::eigenvalue_change * next)
+    if (std::abs(next - value) < eigenvalue_change * next)
       break;
     value = next;
   }

@@ -15,6 +15,10 @@ namespace bem_contact::fem {
 
 namespace {
 
+/// 1, of a station's width. Edges must end where stations do: an edge that reaches farther into the next
+/// station would shift the load by as much, which is a tenth of the error asked for by default.
+constexpr double edge_beyond_station = 1e-4;
+
 /// Arc lengths on the profile of an edge's ends a and b.
 struct EdgeRange {
   double a = 0, b = 0;
@@ -58,7 +62,7 @@ void add_edge(ColumnSums& columns, std::size_t J, const EdgeView& edge, const Ed
 
 void require_covered(std::span<const double> covered, std::span<const Station> stations, double width) {
   for (std::size_t J = 0; J < stations.size(); ++J)
-    if (std::abs(covered[J] - width) > 2 * settings::edge_beyond_station * width)
+    if (std::abs(covered[J] - width) > 2 * edge_beyond_station * width)
       throw InputError("The mesh does not match the strip",
                        fmt::format("station {} at s = {:g} mm is covered by {:g} mm of edges instead of {:g}",
                                    J, stations[J].s, covered[J], width),
@@ -81,7 +85,7 @@ SparseColumns station_functionals(const Section& section, const ProfileCurve& cu
     const double station = std::floor(0.5 * (first + last));
     if (station < 0 || station >= static_cast<double>(stations.size()))
       return; // the group may reach beyond the strip
-    if (first < station - settings::edge_beyond_station || last > station + 1 + settings::edge_beyond_station)
+    if (first < station - edge_beyond_station || last > station + 1 + edge_beyond_station)
       throw InputError(
           "The mesh does not match the strip",
           fmt::format("an edge of the group 'contact' at s = {:g} .. {:g} mm crosses the border of a station",

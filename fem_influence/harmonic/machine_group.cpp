@@ -1,7 +1,6 @@
 #include "fem_influence/harmonic/machine_group.hpp"
 
 #include "fem_influence/shared/parallel.hpp"
-#include "fem_influence/shared/settings.hpp"
 
 #include <mpi.h>
 #include <sys/statvfs.h>
@@ -9,6 +8,14 @@
 #include <algorithm>
 
 namespace bem_contact::fem {
+
+namespace {
+
+/// 1. Shared memory of a machine must have room for this many times what is needed. The rest is for others: a
+/// page too few ends all processes without a message.
+constexpr double shared_memory_reserve = 1.125;
+
+} // namespace
 
 struct MachineGroup::Impl {
   MPI_Comm group = MPI_COMM_NULL;
@@ -59,7 +66,7 @@ std::span<std::byte> MachineGroup::memory(std::size_t bytes) {
   struct statvfs room {};
   int fits =
       statvfs("/dev/shm", &room) != 0 || static_cast<double>(room.f_bavail * room.f_frsize) >
-                                             settings::shared_memory_reserve * static_cast<double>(bytes);
+                                             shared_memory_reserve * static_cast<double>(bytes);
   MPI_Bcast(&fits, 1, MPI_INT, 0, impl_->group);
   if (!fits)
     return {};

@@ -15,6 +15,10 @@ namespace bem_contact::fem {
 
 namespace {
 
+/// 1, of the root of the section's mean square distance from the strip. Upper limit of that default in small
+/// bodies. An area mean is the same on every mesh; the farthest node is not, and moved far numbers of a disc.
+constexpr double remote_part_of_small_body = 0.8;
+
 /// A cell's shapes and quadrature points.
 struct RemoteCell {
   std::vector<int> nodes;
@@ -54,7 +58,7 @@ double default_distance(std::span<const RemoteCell> cells) {
       area += cell.area[q];
       squares += cell.area[q] * cell.distance[q] * cell.distance[q];
     }
-  return std::min(settings::remote_distance, settings::remote_part_of_small_body * std::sqrt(squares / area));
+  return std::min(settings::remote_distance, remote_part_of_small_body * std::sqrt(squares / area));
 }
 
 void require_cells_beyond(double limit, const Section& section, std::span<const Station> stations) {

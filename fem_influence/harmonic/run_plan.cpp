@@ -12,9 +12,17 @@
 
 namespace bem_contact::fem {
 
+namespace {
+
+/// 1. The largest wavenumber times the shortest element length dx. Half of it is k_max a with the half length
+/// a = dx / 2: k_max a of 5 leaves no error to see, 2.4 costs .45 % and 1.2 costs 2 % of the self number.
+constexpr double largest_wavenumber_times_dx = 10.0;
+
+} // namespace
+
 std::vector<double> wavenumber_samples(double half_period, double shortest_dx, int samples_per_decade) {
   const double unit = std::numbers::pi / half_period,
-               largest = settings::largest_wavenumber_times_dx / shortest_dx;
+               largest = largest_wavenumber_times_dx / shortest_dx;
   std::vector<double> k{0};
   for (int n = 1; n <= settings::exact_harmonics; ++n)
     k.push_back(n * unit);

@@ -18,6 +18,10 @@ namespace bem_contact::fem {
 
 namespace {
 
+/// 1, of a station's width. A vertex of the mesh that is nearer to the border of two stations lies on it. It
+/// must be far below the size of an element after all halvings (1/16 of a station by default).
+constexpr double border_distance = 1e-3;
+
 void require_groups(const dealii::Triangulation<2>& mesh, const std::filesystem::path& path) {
   bool contact = false, held = false;
   for (const auto& face : mesh.active_face_iterators())
@@ -94,7 +98,7 @@ void refine(dealii::Triangulation<2>& mesh, const ProfileCurve& curve, const Bod
             Refinement refinement) {
   const auto at_border = [&](const dealii::Point<2>& vertex) {
     const double station = (curve.nearest(plain(vertex)).s - strip.from) / strip.station_width;
-    return std::abs(station - std::round(station)) < settings::at_border;
+    return std::abs(station - std::round(station)) < border_distance;
   };
   for (int level = 0; level < refinement.borders; ++level) {
     // All cells around a border: those off the strip and those with a corner there feel the jump as well.

@@ -11,6 +11,9 @@ namespace bem_contact::fem {
 
 namespace {
 
+/// 1, of the edge's length. Two vertices that are nearer are one (the ends of an arc that mesh_body names).
+constexpr double same_vertex = 1e-6;
+
 Arc through(Point2 a, Point2 h, Point2 b) {
   const Point2 u = h - a, v = b - a;
   const double twice = 2 * (u.y * v.z - u.z * v.y), uu = dot(u, u), vv = dot(v, v);
@@ -47,7 +50,7 @@ bool CurvedOutline::along_profile(Point2 a, Point2 b) const {
 CurvedOutline::Edge CurvedOutline::edge(Point2 a, Point2 b) const {
   if (along_profile(a, b))
     return Edge::profile;
-  const double near = settings::same_vertex * norm(b - a);
+  const double near = same_vertex * norm(b - a);
   const bool arc = std::any_of(arcs_.begin(), arcs_.end(), [&](const Arc& e) {
     return (norm(e.from - a) < near && norm(e.to - b) < near) ||
            (norm(e.from - b) < near && norm(e.to - a) < near);

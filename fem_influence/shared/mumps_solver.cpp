@@ -13,6 +13,18 @@
 
 namespace bem_contact::fem {
 
+namespace {
+
+/// %. Work space that MUMPS gets on top of its own estimate, ICNTL(14). Not measured: a moderate start, for
+/// a factorization that runs out of it is repeated with more.
+constexpr int work_space_margin = 30;
+/// 1. Factor by which the margin grows for each repetition, and how often the factorization is tried. Not
+/// measured: three attempts reach 270 %.
+constexpr int work_space_growth = 3;
+constexpr int work_space_attempts = 3;
+
+} // namespace
+
 struct MumpsSolver::Impl {
   DMUMPS_STRUC_C id{};
   std::vector<MUMPS_INT> begin, unknown, position, schur_unknown;
@@ -53,7 +65,7 @@ MumpsSolver::MumpsSolver(int size, Elements elements, const SparseColumns& borde
   impl_->check("start");
   for (const int stream : {1, 2, 3, 4})
     impl_->control(stream) = 0; // silent
-  impl_->control(14) = settings::work_space_margin;
+  impl_->control(14) = work_space_margin;
   border_value = add_border(elements, size, border);
   for (const std::size_t e : elements.begin)
     begin.push_back(static_cast<MUMPS_INT>(e + 1));
@@ -96,11 +108,11 @@ void MumpsSolver::factorize(std::vector<double>& value) {
   const std::size_t own = value.size();
   value.insert(value.end(), impl_->border_value.begin(), impl_->border_value.end());
   impl_->id.a_elt = value.data();
-  for (int attempt = 0; attempt < settings::work_space_attempts; ++attempt) {
+  for (int attempt = 0; attempt < work_space_attempts; ++attempt) {
     impl_->call(2);
     if (impl_->id.infog[0] != -9 && impl_->id.infog[0] != -8)
       break;
-    impl_->control(14) *= settings::work_space_growth; // the estimate of the work space was too small
+    impl_->control(14) *= work_space_growth; // the estimate of the work space was too small
   }
   value.resize(own);
   impl_->check("factorization");

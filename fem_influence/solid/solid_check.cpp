@@ -1,7 +1,6 @@
 #include "fem_influence/solid/solid_check.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "fem_influence/shared/settings.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -14,6 +13,11 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+
+/// mm. Ends of the bands of distance in which differences are reported (about 3, 9 and 32 elements of .5 mm).
+constexpr double near_band = 1.6;
+constexpr double middle_band = 4.5;
+constexpr double far_band = 16.0;
 
 /// Place and frame (columns e_x, e_s, e_n) of element (m, I).
 struct Element {
@@ -56,7 +60,7 @@ public:
       for (int I = 0; I < reference_.rows; ++I) {
         const Element e = element_at(a_.stations[static_cast<std::size_t>(I)], m * a_.dx, radius_);
         if (const double distance = (e.position - position_).norm();
-            distance <= settings::far_band * (1 + 1e-9))
+            distance <= far_band * (1 + 1e-9))
           visit(m, I, e, distance);
       }
   }
@@ -75,7 +79,7 @@ public:
     Matrix3d normal = Matrix3d::Zero();
     Vector3d right = Vector3d::Zero();
     for_each_element([&](int m, int I, const Element& e, double distance) {
-      if (distance <= settings::middle_band)
+      if (distance <= middle_band)
         return;
       const Matrix3d r = motions(e, j);
       normal += r.transpose() * r;
@@ -116,9 +120,9 @@ std::vector<SolidDifference> compare(const SolidNumbers& a, const InfluenceNumbe
     throw InputError("The influence numbers cannot be compared", "they belong to other stations or elements",
                      "Compute both from one body file.");
   std::vector<SolidDifference> bands(4);
-  bands[1].up_to = settings::near_band;
-  bands[2].up_to = settings::middle_band;
-  bands[3].up_to = settings::far_band;
+  bands[1].up_to = near_band;
+  bands[2].up_to = middle_band;
+  bands[3].up_to = far_band;
   for (std::size_t load = 0; load < a.loads.size(); ++load) {
     const LoadedStation loaded(a, reference, reference_radius, load);
     for (int j = 0; j < 3; ++j) {

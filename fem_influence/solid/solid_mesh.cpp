@@ -20,6 +20,12 @@ namespace bem_contact::fem {
 
 namespace {
 
+/// 1, of the face's diameter. A vertex of the group 'contact' must not lie farther off the profile: other
+/// programs may write meshes with a few digits. Not measured.
+constexpr double vertex_off_profile = 1e-3;
+/// 1, of the face's diameter. Vertices of one mirror plane have the same x, up to the digits of the file.
+constexpr double same_plane = 1e-6;
+
 /// New points are means in the swept section's coordinates: x, and (y, z) as they come, along the profile or
 /// on one of the outline's other arcs.
 class SweptManifold : public dealii::Manifold<3, 3> {
@@ -59,7 +65,7 @@ void require_on_profile(const Face& face, const ContactSurface& surface, const s
   for (const auto v : face->vertex_indices()) {
     const Vector3 p = plain(face->vertex(v)), on = surface.position(surface.nearest(p));
     if (const double off = face->vertex(v).distance(point(on));
-        off > settings::vertex_off_profile * face->diameter())
+        off > vertex_off_profile * face->diameter())
       throw InputError(
           "The mesh '" + name + "' does not fit the profile '" + surface.curve().name() + "'",
           fmt::format("a vertex of the group 'contact' at ({:g}, {:g}, {:g}) lies {:g} mm off it", p[0], p[1],
@@ -71,7 +77,7 @@ void require_on_profile(const Face& face, const ContactSurface& surface, const s
 void require_across_x(const Face& face, const std::string& name) {
   const double x = face->center()[0];
   for (const auto v : face->vertex_indices())
-    if (std::abs(face->vertex(v)[0] - x) > settings::same_plane * face->diameter())
+    if (std::abs(face->vertex(v)[0] - x) > same_plane * face->diameter())
       throw InputError("A face of the group 'symmetry' of '" + name + "' is not normal to x",
                        fmt::format("its corners lie at x = {:g} and around {:g} mm", face->vertex(v)[0], x),
                        "Give the number 4 only to the planes the body is mirrored at.");
@@ -90,7 +96,7 @@ void check_groups(const dealii::Triangulation<3>& mesh, const ContactSurface& su
       require_on_profile(face, surface, name);
     }
     if (id == symmetry_id) {
-      mirror = mirror || std::abs(face->center()[0]) < settings::same_plane * face->diameter();
+      mirror = mirror || std::abs(face->center()[0]) < same_plane * face->diameter();
       require_across_x(face, name);
     }
   }
@@ -109,7 +115,7 @@ CurvedOutline::Edge edge_of(const Face& face, const CurvedOutline& outline, cons
   for (const auto l : face->line_indices()) {
     const Vector3 a = surface.swept_of(plain(face->line(l)->vertex(0))),
                   b = surface.swept_of(plain(face->line(l)->vertex(1)));
-    if (std::abs(a[0] - b[0]) < settings::same_plane * face->diameter())
+    if (std::abs(a[0] - b[0]) < same_plane * face->diameter())
       return outline.edge({a[1], a[2]}, {b[1], b[2]});
   }
   return CurvedOutline::Edge::straight;

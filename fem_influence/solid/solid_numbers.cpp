@@ -22,6 +22,10 @@ namespace bem_contact::fem {
 
 namespace {
 
+/// mm. Samples lie within about this distance of the load. Farther away only the body's motion as a whole
+/// counts, and elements may grow faster.
+constexpr double accurate_distance = 20.0;
+
 std::string place(const SurfacePatch& p) {
   return fmt::format("s = {:g} .. {:g}, x = {:g} .. {:g} mm", p.s_from, p.s_to, p.x_from, p.x_to);
 }
@@ -144,7 +148,7 @@ void solve_on_one_mesh(SolidNumbers& numbers, std::size_t first, std::size_t las
                          .load_radius = std::hypot(numbers.dx, numbers.ds) / 2,
                          .smallest = std::min(numbers.dx, numbers.ds) / body.solid.elements_per_load,
                          .grading = body.solid.grading,
-                         .reach = settings::accurate_distance});
+                         .reach = accurate_distance});
   const std::vector<SurfacePatch> patches = sample_patches(numbers);
   const SparseColumns functionals = patch_functionals(solid, mesh.surface(), patches);
   const SolidSolver solver(solid, body.material);

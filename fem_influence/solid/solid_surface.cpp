@@ -1,7 +1,5 @@
 #include "fem_influence/solid/solid_surface.hpp"
 
-#include "fem_influence/shared/settings.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,6 +10,13 @@ namespace bem_contact::fem {
 namespace {
 
 using Polygon = std::vector<SurfacePoint>;
+
+/// 1, of the element's area. Parts of an element on a face that are smaller are round-off and left out.
+constexpr double smallest_part = 1e-14;
+/// 1. Newton steps at most for the place on a face, and the change that ends them. Faces are nearly
+/// rectangles, where one step is exact.
+constexpr int face_steps = 20;
+constexpr double face_change = 1e-13;
 
 SurfacePoint between(SurfacePoint a, SurfacePoint b, double t) {
   return {a.s + t * (b.s - a.s), a.x + t * (b.x - a.x)};
@@ -38,7 +43,7 @@ double twice_area(SurfacePoint a, SurfacePoint b, SurfacePoint c) {
 /// The unit square's point whose bilinear image is `place`: Newton, exact at once on a rectangle.
 FacePoint inverse(const std::array<SurfacePoint, 4>& c, SurfacePoint place, double weight) {
   FacePoint p{0.5, 0.5, place, weight};
-  for (int step = 0; step < settings::face_steps; ++step) {
+  for (int step = 0; step < face_steps; ++step) {
     const SurfacePoint low = between(c[0], c[1], p.xi), high = between(c[2], c[3], p.xi);
     const SurfacePoint at = between(low, high, p.eta);
     const SurfacePoint left = between(c[0], c[2], p.eta), right = between(c[1], c[3], p.eta);
@@ -50,7 +55,7 @@ FacePoint inverse(const std::array<SurfacePoint, 4>& c, SurfacePoint place, doub
                  d_eta = (s_xi * dx - ds * x_xi) / determinant;
     p.xi += d_xi;
     p.eta += d_eta;
-    if (std::abs(d_xi) + std::abs(d_eta) < settings::face_change)
+    if (std::abs(d_xi) + std::abs(d_eta) < face_change)
       break;
   }
   return p;
@@ -112,7 +117,7 @@ void for_each_common_point(const std::array<SurfacePoint, 4>& corner, const Surf
   common = clip(common, [&](SurfacePoint p) { return patch.x_to - p.x; });
   for (std::size_t i = 2; i < common.size(); ++i) {
     const double area = std::abs(twice_area(common[0], common[i - 1], common[i]));
-    if (area < settings::smallest_part * patch.area())
+    if (area < smallest_part * patch.area())
       continue;
     for (std::size_t u = 0; u < 5; ++u) // a square collapsed onto the triangle
       for (std::size_t v = 0; v < 5; ++v) {

@@ -5,7 +5,6 @@
 #include "bem_contact/contact/slip_step.hpp"
 #include "bem_contact/contact/tangential/contact_matrix.hpp"
 #include "bem_contact/contact/tangential/newton_factors.hpp"
-#include "bem_contact/contact/tangential/settings.hpp"
 #include "tests/contact/scenes.hpp"
 #include "tests/contact/textbook.hpp"
 

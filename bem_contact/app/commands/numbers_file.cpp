@@ -1,6 +1,5 @@
 #include "bem_contact/app/commands/numbers_file.hpp"
 
-#include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/record/file_kinds.hpp"
@@ -17,6 +16,10 @@ namespace bem_contact::app {
 namespace {
 
 using Block = std::array<std::array<double, 3>, 3>; ///< [displacement][traction]
+
+/// 1, part of the self number. One matrix serves all rows if numbers of equal distance differ by less than
+/// this along the strip. Chosen, not measured.
+constexpr double largest_variation = 0.01;
 
 Block block_at(const InfluenceNumbers& a, int m, int row_i, int row_j) {
   Block block{};

@@ -25,6 +25,11 @@ namespace bem_contact::app {
 
 namespace {
 
+/// mm. `profile` prints one mean radius for each stretch of this length. A wheel has about 30 of them.
+constexpr double radius_stretch = 5.0;
+/// mm. A larger radius is printed as straight. Chosen.
+constexpr double straight_radius = 20000.0;
+
 constexpr const char* profile_help =
     R"(The file is read as a scene would read it; warnings say what was repaired. It is a measured profile (MiniProf, Simpack,
 Vampire, or two columns y and z), the name of a standard (60E1, S1002) or a body file (.toml). The options do what keys

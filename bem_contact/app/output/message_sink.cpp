@@ -1,7 +1,5 @@
 #include "bem_contact/app/output/message_sink.hpp"
 
-#include "bem_contact/app/settings.hpp"
-
 #include <cstdio>
 #include <memory>
 #include <spdlog/spdlog.h>
@@ -10,6 +8,10 @@
 namespace bem_contact::app {
 
 namespace {
+
+/// Characters. A message that came several times is counted at the end, and quoted up to this length: enough
+/// to recognise it. Chosen.
+constexpr int repeated_length = 60;
 
 /// Of a message that begins with the name of a file.
 std::string without_folder(const std::string& text) {

@@ -21,6 +21,9 @@ namespace bem_contact::app {
 
 namespace {
 
+/// 1. More than this of the depth at the deepest place taken by smoothing is a warning.
+constexpr double most_smoothed_off = 0.02;
+
 constexpr const char* wear_help =
     R"(The table [sweep] of the scene is the load collective; sweep.weight says how often each case occurs:
     [sweep]
@@ -66,7 +69,7 @@ void print_step(const wear::WearRow& row) {
 
 void warn_of_smoothing(const std::vector<wear::WearRow>& history) {
   const double most = std::ranges::max(history, {}, &wear::WearRow::smoothed_off).smoothed_off;
-  if (most > wear::most_smoothed_off)
+  if (most > most_smoothed_off)
     warn({fmt::format("smoothing took up to {:.1f} % of the depth at the deepest place of a step: give a "
                       "smaller --smoothing, and a smaller --cap with it",
                       100 * most)});

@@ -2,7 +2,6 @@
 
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/bodies/settings.hpp"
 #include "bem_contact/profile/settings.hpp"
 
 #include <fmt/format.h>
@@ -14,6 +13,13 @@
 namespace bem_contact {
 
 namespace {
+
+/// mm. A shorter piece of an outline is a mistake. Chosen: a thousandth of the last digit of a drawing.
+constexpr double shortest_outline_piece = 1e-6;
+/// 1. An arc's chord may exceed its diameter by so much: a half circle with rounded ends.
+constexpr double half_circle_rounding = 1e-9;
+/// 1. Points of an arc among which its lowest z is looked for. Chosen.
+constexpr int lowest_point_samples = 64;
 
 std::string text(Point2 p) {
   return fmt::format("({:.6g}, {:.6g})", p.y, p.z);

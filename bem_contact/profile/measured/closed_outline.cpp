@@ -1,7 +1,6 @@
 #include "bem_contact/profile/measured/closed_outline.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/measured/settings.hpp"
 #include "bem_contact/profile/measured/walk.hpp"
 #include "bem_contact/profile/median.hpp"
 #include "bem_contact/profile/messages.hpp"
@@ -16,6 +15,18 @@
 namespace bem_contact {
 
 namespace {
+
+/// 1 (median distances of neighbours). An outline whose ends are this near is closed. Chosen.
+constexpr double closing_spacings = 3.0;
+/// 1 (share of its length). As above, of few points.
+constexpr double widest_closing = 0.1;
+/// 1 (share of the square of the length). A closed outline encloses more: a rail .017, a scan there and back
+/// .001.
+constexpr double least_enclosed = 0.005;
+/// 1 (share of the height). Within so much of its end in z a rail's base has its whole width.
+constexpr double base_band = 0.02;
+/// 1 (share of that width). As above.
+constexpr double least_base = 0.9;
 
 /// Ends where it began, and goes round something: a scan there and back does not.
 bool is_closed(const std::vector<Point2>& p) {

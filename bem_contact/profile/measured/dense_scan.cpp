@@ -1,6 +1,5 @@
 #include "bem_contact/profile/measured/dense_scan.hpp"
 
-#include "bem_contact/profile/measured/settings.hpp"
 #include "bem_contact/profile/measured/walk.hpp"
 #include "bem_contact/profile/median.hpp"
 #include "bem_contact/profile/messages.hpp"
@@ -11,6 +10,13 @@
 namespace bem_contact {
 
 namespace {
+
+/// mm. Means of neighbours lie no farther apart: over 1 mm a mean lies 3 um inside an arc of 13 mm radius.
+constexpr double farthest_means = 1.0;
+/// 1. Fewer means are no scan. Chosen.
+constexpr std::size_t least_means = 20;
+/// mm. Points that scatter by more are no scan of one surface. Chosen: laser scanners scatter by .1 mm.
+constexpr double largest_scan_scatter = 0.3;
 
 /// Of `count` points each; what is left over at the end joins the last.
 std::vector<Point2> means(const std::vector<Point2>& points, std::size_t count) {

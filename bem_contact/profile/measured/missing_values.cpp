@@ -1,10 +1,8 @@
 #include "bem_contact/profile/measured/missing_values.hpp"
 
 #include "bem_contact/base/counted.hpp"
-#include "bem_contact/profile/measured/settings.hpp"
 #include "bem_contact/profile/median.hpp"
 #include "bem_contact/profile/messages.hpp"
-#include "bem_contact/profile/settings.hpp"
 
 #include <fmt/format.h>
 
@@ -15,6 +13,15 @@
 namespace bem_contact {
 
 namespace {
+
+/// 1 (median distances from the median). A point farther away may mark a missing value: on a line the ends
+/// are two such distances away, and where most points lie on the flange its tread ends at some twenty.
+/// Chosen.
+constexpr double farthest_point = 30.0;
+/// 1 (median distances of neighbouring points). A mark of a missing value lies behind such a jump. Chosen.
+constexpr double jump_to_mark = 10.0;
+/// 1. In fewer points there is no median to trust.
+constexpr std::size_t least_points_with_marks = 8;
 
 /// Median of one coordinate, and the median distance from it: up to half of the points may be marks.
 struct Middle {

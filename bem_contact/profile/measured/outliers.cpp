@@ -1,7 +1,5 @@
 #include "bem_contact/profile/measured/outliers.hpp"
 
-#include "bem_contact/profile/measured/settings.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,17 @@
 namespace bem_contact {
 
 namespace {
+
+/// 1 (scatters). A single point that lies off the line of its neighbours by more is an outlier: noise hardly
+/// ever has so much. Chosen.
+constexpr double outlier_scatters = 12.0;
+/// mm. As above, of exact points. Chosen.
+constexpr double least_outlier = 0.05;
+/// 1 (share of the outlier's distance). Its neighbours lie nearer to their own line without it. At a corner
+/// they are off by 0.1 times as much as its point and more.
+constexpr double neighbour_share = 0.05;
+/// 1 (scatters). Noise alone may move a neighbour so far from its line. Chosen.
+constexpr double neighbour_scatters = 5.0;
 
 /// Distance of p from the cubic through four points that lie along its line; infinite where they double back.
 double off_cubic(Point2 p, const std::array<Point2, 4>& through) {

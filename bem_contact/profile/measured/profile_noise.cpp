@@ -1,6 +1,5 @@
 #include "bem_contact/profile/measured/profile_noise.hpp"
 
-#include "bem_contact/profile/measured/settings.hpp"
 #include "bem_contact/profile/median.hpp"
 #include "bem_contact/profile/settings.hpp"
 
@@ -15,6 +14,32 @@
 namespace bem_contact {
 
 namespace {
+
+/// 1. Neighbours on either side in the fit that tells noise from shape: a cubic through nine points half a
+/// millimetre apart leaves less than 0.1 um of an arc of 13 mm radius.
+constexpr std::size_t noise_neighbours = 4;
+/// 1. The same where points are far apart.
+constexpr std::size_t near_noise_neighbours = 2;
+/// mm. Over longer windows a cubic does not follow the arcs of 8 to 13 mm radius of all standards.
+constexpr double shapeless_window = 3.0;
+/// 1. The share of the points at which scatter is then looked for: of 39 rails and 12 wheels with a point
+/// every 1.9 mm so many lie on one arc with their neighbours.
+constexpr double quiet_share = 0.35;
+/// 1. Standard deviation of a normal distribution over that quantile of its absolute values.
+constexpr double normal_deviation_over_quiet = 2.2037;
+/// 1. Scatter on arcs that is less than this share of the other shows that the other is shape. Of white noise
+/// both agree within a third. Chosen.
+constexpr double shape_share = 0.5;
+/// MPa. E* of two steel bodies, for the pressure that noise makes.
+constexpr double steel_contact_modulus = 115000;
+/// MPa. Noise that makes less is not worth a word: 1 % of a usual largest pressure.
+constexpr double least_noise_pressure = 15;
+/// mm over mm^(3/2) to the exponent below. Smoothing advised for noise e at the distance h is this times
+/// (e sqrt(h)) to that exponent: the wavelength at which the scatter of the smoothed curvature, which grows
+/// as e sqrt(h) L^(-5/2), is the same for every file. Measured with tools/benchmarks/profile_noise.
+constexpr double smoothing_for_noise = 120;
+/// 1. As above.
+constexpr double smoothing_for_noise_exponent = 0.4;
 
 /// How far the middle point is from the cubic that fits all points, over what noise of deviation 1 makes of
 /// it.

@@ -1,7 +1,6 @@
 #include "bem_contact/profile/measured/profile_orientation.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/measured/settings.hpp"
 #include "bem_contact/profile/median.hpp"
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/profile/settings.hpp"
@@ -17,6 +16,29 @@
 namespace bem_contact {
 
 namespace {
+
+/// 1 (share of the chord between the ends). A rail's head that bulges down by more has its z upside down.
+/// Chosen: a rail's head bulges by more than a tenth of its width.
+constexpr double least_bulge = 0.005;
+/// 1. A profile that bulges to the other side of that chord by more than this share has no side that is up: a
+/// head beside a groove has a half. Chosen; worn heads stay below a twentieth.
+constexpr double both_bulges = 0.2;
+/// mm. The middle of a rail that is measured from the centre of the track lies between these, for gauges from
+/// 600 to 1676 mm.
+constexpr double nearest_rail_to_centre = 250.0;
+/// mm. As above.
+constexpr double farthest_rail_from_centre = 950.0;
+/// rad. The flank of a flange is as steep as 60 to 78 degrees, chamfers are 45, and faces of rims vertical.
+constexpr double flattest_flank = 50 * std::numbers::pi / 180;
+/// rad. As above.
+constexpr double steepest_flank = 82 * std::numbers::pi / 180;
+/// mm. Something wider than a rail's head whose top is narrower than this, so far below its highest point, is
+/// a wheel with its flange up. The head of 60E1 is 72 mm wide, and 56 mm at this depth.
+constexpr double top_depth = 3.0;
+/// mm. As above.
+constexpr double narrowest_top = 25.0;
+/// mm. As above.
+constexpr double widest_rail_head = 90.0;
 
 void flip_z(std::vector<Point2>& points) {
   for (Point2& p : points)

@@ -6,7 +6,6 @@
 #include "bem_contact/profile/measured/dense_scan.hpp"
 #include "bem_contact/profile/measured/missing_values.hpp"
 #include "bem_contact/profile/measured/profile_orientation.hpp"
-#include "bem_contact/profile/measured/settings.hpp"
 #include "bem_contact/profile/measured/walk.hpp"
 #include "bem_contact/profile/median.hpp"
 #include "bem_contact/profile/messages.hpp"
@@ -23,6 +22,40 @@
 namespace bem_contact {
 
 namespace {
+
+/// 1 (share of the points). More may not be dropped as stray: then the file is another kind of wrong. Chosen.
+constexpr double repairable_share = 0.05;
+/// 1 (share of the length of the walk). An end point always shortens the walk when it is dropped; it is
+/// dropped only if nothing else shortens the walk by nearly as much.
+constexpr double end_point_penalty = 1e-3;
+/// mm. A longer loop is shape, not noise. Chosen: about the distance of measured points.
+constexpr double repairable_loop = 1.0;
+/// mm. Widths that a rail's or wheel's profile can have. A wheel's rim is 140 mm wide.
+constexpr double narrowest_profile = 10.0;
+/// mm. As above.
+constexpr double widest_profile = 300.0;
+/// The file's unit. A profile this wide is in metres: no profile in mm is as narrow.
+constexpr double narrowest_in_metres = 0.02;
+/// As above.
+constexpr double widest_in_metres = 0.3;
+/// mm. A file whose unit is not said and that is narrower is asked about: heads of rails are wider than 60
+/// mm, wheels wider than 100 mm, and in centimetres both are narrower than this.
+constexpr double narrowest_unasked = 16.0;
+/// mm. Widths that a whole rail or wheel has: what a narrower file would be in another unit.
+constexpr double narrowest_guess = 55.0;
+/// mm. As above.
+constexpr double widest_guess = 160.0;
+/// 1. Points are out of order if sorting by y shortens the walk by this factor. Chosen: two shuffled points
+/// of a short file already do.
+constexpr double shuffled_walk = 1.5;
+/// 1. A hole is so many times as long as the median chord,
+constexpr double hole_length = 10.0;
+/// mm. and at least so long;
+constexpr double least_hole = 2.0;
+/// deg. and the profile turns by more over it.
+constexpr double hole_turn = 2.0;
+/// deg. Two chords that turn by more, there and back, are a jump between two scans.
+constexpr double jump_turn = 45.0;
 
 double millimetres(ProfileUnit unit) {
   switch (unit) {

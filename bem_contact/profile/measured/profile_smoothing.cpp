@@ -13,6 +13,15 @@ namespace bem_contact {
 
 namespace {
 
+/// rad. Tangents on either side that differ by more make a kink. Noise of 10 um in points 0.25 mm apart,
+/// fitted over 3 mm, turns them by 0.012.
+constexpr double kink_turn = 0.2;
+/// 1. Points on either side that such a tangent needs at least.
+constexpr int kink_points = 5;
+/// 1. Points nearer than this part of the wavelength become one: the spline through the rest keeps far
+/// shorter waves than are asked for.
+constexpr double thinning = 50;
+
 std::vector<double> chord_lengths(std::span<const Point2> p) {
   std::vector<double> t(p.size(), 0.0);
   for (std::size_t i = 1; i < p.size(); ++i)

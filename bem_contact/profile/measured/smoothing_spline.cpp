@@ -15,6 +15,9 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
+/// 1. Weight of a point that is held, relative to the others: large, and far from the limits of rounding.
+constexpr double kink_weight = 1e6;
+
 /// Maps values at t to their divided differences of order 3, times 3!: the third derivative.
 Sparse third_derivative(std::span<const double> t) {
   const auto n = static_cast<Eigen::Index>(t.size());

@@ -8,6 +8,14 @@
 
 namespace bem_contact {
 
+namespace {
+
+/// rad. No profile turns so sharply between two chords: there the points zig-zag. Chosen: beyond a right
+/// angle, which the edge of a wheel's rim may have.
+constexpr double zig_zag = 100 * std::numbers::pi / 180;
+
+} // namespace
+
 double path_length(std::span<const Point2> p) {
   double sum = 0;
   for (std::size_t i = 1; i < p.size(); ++i)

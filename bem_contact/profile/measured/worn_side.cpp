@@ -1,7 +1,5 @@
 #include "bem_contact/profile/measured/worn_side.hpp"
 
-#include "bem_contact/profile/measured/settings.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -10,6 +8,27 @@
 namespace bem_contact {
 
 namespace {
+
+/// mm. So far below the top the crown tells its axis; above it is too flat for a comparison along y.
+constexpr double crown_depth = 2.0;
+/// mm. New heads are convex. A flank that lies farther behind the line between two of its points is worn;
+/// noise and the rounding of drawings stay below. Chosen.
+constexpr double deepest_recess = 0.15;
+/// mm. Heads of rails are no deeper; below lie fishing surface and web.
+constexpr double largest_flank_depth = 34.0;
+/// mm. Where a flank leads inwards by more, the head ends. What lies farther outwards, and higher than that,
+/// is a keeper or another rail.
+constexpr double under_head = 3.0;
+/// mm. What the lowest part of the flanks is: below the wear, which ends where the flange does. It tells the
+/// axis.
+constexpr double unworn_flank = 6.0;
+/// mm. A scan that shows less of the flanks does not tell which is worn.
+constexpr double least_flanks = 16.0;
+/// rad. Flanks whose axis leans by more are not inclined in the track (1:20), but one of them is worn down to
+/// the end of the scan.
+constexpr double largest_lean = 0.07;
+/// mm. Less wear of one side than of the other tells nothing: rolling tolerances are .5 mm. Chosen.
+constexpr double least_side_wear = 1.0;
 
 constexpr double depth_step = 0.5; // mm
 constexpr int upright_rounds = 2;  // each a step of Newton's method for the lean

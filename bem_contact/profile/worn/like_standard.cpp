@@ -15,6 +15,34 @@ namespace bem_contact {
 
 namespace {
 
+/// mm. Noise says which nominal profile would help if the points lie this near to it. Chosen.
+constexpr double farthest_advised = 3.0;
+/// mm. A standard is not like a profile that has more steel outside it: flow of the steel makes lips of some
+/// tenths.
+constexpr double farthest_added_steel = 1.0;
+/// 1. Points of a measured curve by which it is compared with the standards: closer than 1 mm. Chosen.
+constexpr int like_points = 200;
+/// 1. How unlike a standard is: the steel outside it and this share of the whole depth, root mean squares.
+/// Wear of 2 mm then weighs as much as 0.1 mm of steel that nothing can have added. Chosen.
+constexpr double worn_share = 0.1;
+/// 1. A second standard that is not more unlike than this is named too. Chosen: a 60E2 with its top worn
+/// evenly lies as well on 60E1.
+constexpr double like_tie = 1.5;
+/// 1 (share of the points). A standard on which less of a profile lies is not like it. New wheels of seven
+/// other shapes lie on S1002 by .05 to .16, S1002 worn by 2 mm on the whole tread by .33.
+constexpr double least_unworn_share = 0.25;
+/// 1. On the standard from which it is worn more lies. Chosen.
+constexpr double surely_like_share = 0.5;
+/// rad. Inclinations by a standard and by symmetry that differ by more do not belong together: 1 mm off the
+/// top and .6 mm off the gauge corner move that by symmetry by 4 mrad (46E3), and 49E1 lies on 54E1 turned by
+/// 6 mrad and more.
+constexpr double symmetry_slack = 0.005;
+/// rad. A rail that is turned by this or more towards the track's centre was measured as it lies in the
+/// track: half of 1:40, the smallest inclination in use.
+constexpr double least_inclination = 0.0125;
+/// rad. Heads turn by 160 degrees from side to side; a running surface that turns by less is another thing.
+constexpr double least_head_turn = 1.0;
+
 struct Candidate {
   std::string name;
   NominalFit fit;

@@ -1,7 +1,6 @@
 #include "bem_contact/profile/worn/nominal_place.hpp"
 
 #include "bem_contact/profile/median.hpp"
-#include "bem_contact/profile/settings.hpp"
 #include "bem_contact/profile/worn/outline_table.hpp"
 #include "bem_contact/profile/worn/settings.hpp"
 
@@ -18,6 +17,39 @@ namespace bem_contact {
 namespace {
 
 using Points = std::vector<Point2>;
+
+/// mm. Where the steps of a fit end.
+constexpr double placing_tolerance = 1e-6;
+/// 1 (widths of Tukey's weights). Points outside a nominal profile count up to so many times as far off as
+/// worn ones: wear takes steel away. Lips of the steel, some tenths high, still do not count. Chosen.
+constexpr double outside_widths = 4.0;
+/// 1. Of a fit to what lies as near as most does:
+constexpr int settling_rounds = 3;
+/// mm. but not within less: the rounding of a file.
+constexpr double settling_least = 0.01;
+/// 1. Starts that are followed: the nearest ones.
+constexpr std::size_t searched_places = 5;
+/// 1. Places of which the share is asked for,
+constexpr std::size_t settled_places = 2;
+/// 1. the second if it is off by less than so many times.
+constexpr double nearly_as_near = 1.5;
+/// 1. Points by which starts are compared. Chosen.
+constexpr std::size_t rating_points = 25;
+/// 1. Steps of the last fit, on the profile itself.
+constexpr int polishing_steps = 6;
+/// 1. Points with which a place is looked for. Chosen.
+constexpr std::size_t placing_points = 40;
+/// 1. Points with which it is found. Chosen.
+constexpr std::size_t settling_points = 150;
+/// mm. Nearer places are the same,
+constexpr double apart_distance = 0.5;
+/// rad. if their angles are as near.
+constexpr double apart_angle = 5e-3;
+/// mm. Chords with which points are placed. Their bulges counted, an arc of 13 mm radius is off by
+/// nanometres, the curve at a jump of the curvature by 2 um.
+constexpr double outline_chord = 0.5;
+/// mm. Points this near to the top (of a wheel: to the tip) say where the middle of it is. Chosen.
+constexpr double placing_top = 2.0;
 
 /// The nominal profile as the search sees it.
 struct Nominal {

@@ -9,6 +9,15 @@
 
 namespace bem_contact {
 
+namespace {
+
+/// 1. Of so many chords one is looked at where a point is far from the one before.
+constexpr std::size_t looked_at_chords = 6;
+/// mm. A point that is farther from the chord of the point before may be nearer to another part of the curve.
+constexpr double far_from_chord = 6.0;
+
+} // namespace
+
 OutlineTable::OutlineTable(const ProfileCurve& curve, const std::vector<double>& s) {
   Point2 from = curve.at(s.front()).position;
   for (std::size_t i = 0; i + 1 < s.size(); ++i) {

@@ -16,6 +16,23 @@ namespace bem_contact {
 
 namespace {
 
+/// mm. No rail or wheel in service is worn by more; a point farther off is that of another shape.
+constexpr double farthest_from_nominal = 5.0;
+/// mm. Root mean square, as above. Chosen.
+constexpr double farthest_rms_from_nominal = 2.0;
+/// mm. So near a point lies on the nominal profile but for its scatter.
+constexpr double lies_on_nominal = 0.02;
+/// 1. Fewer points tell no depth.
+constexpr std::size_t least_nominal_points = 20;
+/// 1 (median distances of points). Depths nearer to each other become one.
+constexpr double least_depth_step = 0.3;
+/// mm. A jump of the nominal curvature is looked for so far before and after a joint.
+constexpr double jump_distance = 1e-6;
+/// 1/mm. Less is no jump: it moves no curvature in contact by a thousandth.
+constexpr double curvature_jump = 1e-5;
+/// 1. Chords of a worn profile from one jump to the next, at least: a cubic spline needs four points.
+constexpr std::ptrdiff_t least_smooth_chords = 4;
+
 /// Depths over the arc length of the nominal profile, in rising order.
 struct Depths {
   std::vector<double> s, depth;

@@ -19,6 +19,11 @@ namespace bem_contact {
 
 namespace {
 
+/// rad. How far the surface of a rail's file may turn otherwise than a patch.
+constexpr double rail_turn_tolerance = 0.02;
+/// rad. The same for the wheel's, whose surface need not follow the rail's.
+constexpr double wheel_turn_tolerance = 0.2;
+
 std::shared_ptr<InfluenceFile> read_side(const Body& body) {
   if (body.influence.empty())
     return nullptr;

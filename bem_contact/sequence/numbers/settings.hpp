@@ -22,9 +22,5 @@ BEM_CONTACT_TUNED(int, profiles_kept, 100); ///< 1. Pairs of profiles that are k
 /// 1 (rows). How much of a row must lie on the strip of an influence file, on either side of its middle: rows
 /// of equal width on the rail are a hair shorter or longer on the wheel.
 BEM_CONTACT_TUNED(double, row_on_strip, 0.49);
-/// rad. How far the surface of a rail's file may turn otherwise than a patch.
-BEM_CONTACT_TUNED(double, rail_turn_tolerance, 0.02);
-/// rad. The same for the wheel's, whose surface need not follow the rail's.
-BEM_CONTACT_TUNED(double, wheel_turn_tolerance, 0.2);
 
 } // namespace bem_contact

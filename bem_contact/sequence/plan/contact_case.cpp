@@ -13,6 +13,9 @@ namespace bem_contact {
 
 namespace {
 
+/// 1. Share of the wheel radius by which that of an influence file may differ.
+constexpr double radius_tolerance = 0.01;
+
 void require_radius(const InfluenceStrip& wheel, double wheel_radius) {
   if (wheel.invariance == Invariance::revolution &&
       std::abs(wheel.reference_radius - wheel_radius) > radius_tolerance * wheel_radius)

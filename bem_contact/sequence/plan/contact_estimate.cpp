@@ -15,6 +15,20 @@ namespace bem_contact {
 
 namespace {
 
+/// mm. Least approach for which a potential contact is planned: a grid is needed under no load too.
+constexpr double least_approach = 1e-4;
+/// 1. Least value of the vertical force of pressure and shear over that of the pressure: where friction takes
+/// all of it away, the estimate would be without end.
+constexpr double least_lift = 0.05;
+/// 1. Largest value of the same ratio.
+constexpr double most_lift = 4.0;
+/// 1. With shear, the approach of the estimate may be so many times largest_approach (scene/settings.hpp): an
+/// overestimate costs a grid that is too coarse.
+constexpr double most_approach_with_shear = 2.0;
+/// 1/mm. Least half of the curvature along x that the estimate of a given distance takes: of a wheel of
+/// radius 50 m. Chosen.
+constexpr double least_half_curvature = 1e-5;
+
 /// K(m) - E(m), complete elliptic integrals of the parameter m < 1, by the arithmetic-geometric mean: the
 /// difference itself, because K and E cancel for the small m of slices far from the deepest one.
 double k_minus_e(double m) {

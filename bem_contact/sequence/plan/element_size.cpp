@@ -13,6 +13,35 @@ namespace bem_contact {
 
 namespace {
 
+/// 1. That error, relative.
+constexpr double usual_error = 0.003;
+/// 1. One contact in a hundred has this relative error with usual_elements.
+constexpr double rare_error = 0.02;
+/// 1. Errors scatter: the number of elements comes down to no less than this share of the last one.
+constexpr double least_change = 0.35;
+/// 1. The next case begins between the usual number of elements and what this one needed: at this share of
+/// the way in the logarithm. A case that needed many says little of the next. With .5 the cases of
+/// data/scenes/cases_*.toml take .5 to 1 times the processor's time that they take with 1, with 0 more.
+constexpr double learnt_share = 0.5;
+/// 1. Fewest elements in contact for usual_accuracy with influence files; for another accuracy in proportion
+/// to its power -0.5. Of 180 to 900 elements tried on the cases of data/scenes/cases_fem.toml, 180, 300 and
+/// 400 take the least time for 5, 2 and 1 %: fewer are solved more often, more are dear each time.
+constexpr int fewest_elements_bodies = 300;
+/// 1. Of `fewest_elements_bodies`.
+constexpr double usual_accuracy = 0.02;
+/// 1. Length of elements over their width at the least, in a contact that is wider than long.
+constexpr double shortest_element_aspect = 0.4;
+/// 1. Where elements cannot get shorter, they get no narrower than this share of their length: ever narrower
+/// rows would cost much and say little.
+constexpr double narrowest_element_share = 0.25;
+/// mm. Length of elements where the estimate has no contact.
+constexpr double default_dx = 0.5;
+/// mm. Width of elements there.
+constexpr double default_ds = 0.25;
+/// 1. An influence file serves elements of at least 10 / (its largest wavenumber). Elements are chosen so
+/// many times as long: a wheel's file means lengths at its reference radius, and the contact lies elsewhere.
+constexpr double wavelength_reserve = 1.05;
+
 /// Rounded in the logarithm; `down`: not larger.
 double on_ladder(double length, bool down) {
   const double step = sizes_per_octave * std::log2(length);

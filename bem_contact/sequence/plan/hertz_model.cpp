@@ -1,7 +1,6 @@
 #include "bem_contact/sequence/plan/hertz_model.hpp"
 
 #include "bem_contact/geometry/undeformed_distance.hpp"
-#include "bem_contact/sequence/plan/settings.hpp"
 
 #include <Eigen/QR>
 
@@ -12,6 +11,13 @@
 namespace bem_contact {
 
 namespace {
+
+/// 1. Rows and columns of the smallest window in which a quadratic is fitted.
+constexpr int smallest_window = 5;
+/// 1. Rounds of window and fit; the window stops to change after a few.
+constexpr int fit_rounds = 10;
+/// 1. Determinant of a quadratic over its squared trace, below which it is curved one way only.
+constexpr double least_curvature_ratio = 1e-12;
 
 /// Elements in the contact, or within two elements of `middle`.
 std::vector<int> window_of(const ContactProblem& problem, const HertzModel& model, int middle) {

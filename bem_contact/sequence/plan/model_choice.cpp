@@ -10,6 +10,10 @@ namespace bem_contact {
 
 namespace {
 
+/// 1. Hertz: this times what the undeformed distance departs from a quadratic, over the approach. A waviness
+/// as long as the contact does not do more to the pressure.
+constexpr double hertz_deviation_error = 5.0;
+
 double largest(const ModelErrors& errors, const ModelRequest& request) {
   return errors.of(errors.worst(request.of));
 }

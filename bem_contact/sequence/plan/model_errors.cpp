@@ -12,6 +12,43 @@ namespace bem_contact {
 
 namespace {
 
+/// 1. Tangent planes in plane strain, likewise, on what is no circle of equal bodies: against the influence
+/// functions of a 60E1 rail and an S1002 wheel 0.04 to 0.22.
+constexpr double tangent_plane_error = 0.24;
+/// 1/rad. Either, more of it between unlike materials: steel on aluminium is off by 0.008.
+constexpr double unlike_turn_error = 0.01;
+/// mm. Least distance by which the wheel is moved aside to see how steep results are in its position. Chosen.
+constexpr double least_aside = 1e-3;
+/// mm. Of a wheel on a rail the creepage of free rolling differs by approach / this, times 1 +
+/// creep_inclination times the inclination: by 1e-5 to 6e-5 on the tread, 1e-4 and more at the flange.
+constexpr double wheel_creep_radius = 1100.0;
+/// 1/rad.
+constexpr double creep_inclination = 7.0;
+/// mm. The same of rollers in grooves, small bodies whose surfaces stretch differently: 4e-5 to 2e-4.
+constexpr double roller_creep_radius = 190.0;
+/// 1. Kalker's C11 of a circle, nu = 0.28.
+constexpr double creep_coefficient = 4.2;
+/// 1. Least slope of the shear force over that without slip: spin and yaw leave some of it. Chosen.
+constexpr double least_slope_share = 0.05;
+/// 1. If only the longitudinal force is given, the lateral creepage is prescribed: its error counts by this
+/// share.
+constexpr double side_creep_share = 0.45;
+/// 1. Of shear forces, of either model.
+constexpr double least_shear_error = 0.001;
+/// 1/rad. Of them: this times the turn.
+constexpr double shear_turn_error = 0.02;
+/// 1. Of friction's power, of either model.
+constexpr double least_power_error = 0.004;
+/// 1/rad. Of it: this times the turn.
+constexpr double power_turn_error = 0.01;
+/// 1. Of it where creepages are given: this times the error of creepage over the slip.
+constexpr double given_creep_power = 1.5;
+/// 1. Power of friction on a rail: both of these terms count by this share, because spin does most of the
+/// work there. At most 0.15 was seen.
+constexpr double rail_power_share = 0.2;
+/// 1. Of it where creepages are found: this times their error over least_creepage.
+constexpr double found_creep_power = 0.5;
+
 /// The rows lie on one circle, all of them.
 bool on_a_circle(const ContactProblem& problem) {
   const std::vector<ContactRow>& rows = problem.rows;

@@ -11,6 +11,9 @@ namespace bem_contact {
 
 namespace {
 
+/// 1. Most rows or columns of a grid, as grid.mx and grid.ms have it.
+constexpr int most_rows = 4096;
+
 /// The nearest slice of the rows asked for, where the estimate has the contact on others: it may lie far from
 /// there along x as well.
 const RailSlice* nearest_if_elsewhere(const ContactEstimate& estimate,

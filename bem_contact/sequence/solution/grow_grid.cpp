@@ -15,6 +15,11 @@ namespace bem_contact {
 
 namespace {
 
+/// 1. How often a grid may grow. It grows by a quarter in s, an eighth on either side in x.
+constexpr int most_growths = 6;
+/// 1. Columns by which it grows at least, on either side.
+constexpr int fewest_more_columns = 2;
+
 /// Sides of the grid that the contact touches.
 struct Touched {
   bool first_row = false, last_row = false, columns = false;

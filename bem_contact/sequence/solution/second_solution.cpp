@@ -2,7 +2,6 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/flash_temperature.hpp"
-#include "bem_contact/sequence/solution/settings.hpp"
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -15,6 +14,18 @@
 namespace bem_contact {
 
 namespace {
+
+/// 1. Two solutions with falling friction are two if their shear forces differ by more than this share of the
+/// sum of mu p_n: a hundred times what the certificate allows.
+constexpr double least_branch_difference = 1e-4;
+/// 1. Sliding as a whole: steps between friction and heat, the part of each that is taken, and the change of
+/// mu over mu(0) at which they end. A fifth settles where mu falls by as much as four times its own change.
+constexpr int most_heat_changes = 100;
+constexpr double heat_damping = 0.2;
+constexpr double least_heat_change = 1e-4;
+/// 1. Most steps of the search for its slip velocity, and bits of it: it is said with three digits.
+constexpr int most_sliding_steps = 60;
+constexpr int sliding_bits = 12;
 
 /// The shear force, N, where all elements slide in one direction at one velocity, mm/s: mu of each row at
 /// that velocity, and at the temperature that this sliding makes. Nothing where these two do not settle.

@@ -11,7 +11,6 @@
 #include "bem_contact/sequence/plan/model_choice.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/solution/grow_grid.hpp"
-#include "bem_contact/sequence/solution/settings.hpp"
 #include "bem_contact/sequence/solution/structural_motion.hpp"
 #include "bem_contact/sequence/solution/trim_plan.hpp"
 
@@ -22,6 +21,9 @@
 namespace bem_contact {
 
 namespace {
+
+/// 1. Discretisation error above which the elements are said to be too large.
+constexpr double poor_discretisation = 0.2;
 
 /// Of all steps, as far as they are solutions, MPa.
 double highest_pressure(const GridSolution& solved) {

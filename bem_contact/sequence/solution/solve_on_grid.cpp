@@ -6,7 +6,6 @@
 #include "bem_contact/contact/solve.hpp"
 #include "bem_contact/sequence/plan/hertz_model.hpp"
 #include "bem_contact/sequence/solution/second_solution.hpp"
-#include "bem_contact/sequence/solution/settings.hpp"
 #include "bem_contact/sequence/solution/structural_motion.hpp"
 
 #include <algorithm>
@@ -17,6 +16,17 @@
 namespace bem_contact {
 
 namespace {
+
+/// GB. Largest influence numbers, and largest history, that are kept in memory.
+constexpr double largest_memory = 8.0;
+/// 1. Memory of a whole solution over that of its table of influence numbers, where they depend on both rows:
+/// numbers of either body, of the pair, and spectra. 2.3 was measured of influence files.
+constexpr double memory_by_rows = 4.0;
+/// 1. The same of half-spaces, whose table is small: 144 bytes an element. 1.2 to 2 kB an element were
+/// measured in all, the most of unlike materials.
+constexpr double memory_by_distance = 16.0;
+/// 1. From so many steps of a history on, progress is reported.
+constexpr int many_steps = 1000;
 
 /// What a solution takes beside its table of influence numbers is in proportion to it: numbers of each body,
 /// spectra, fields.

@@ -3,7 +3,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/sequence/solution/grow_grid.hpp"
-#include "bem_contact/sequence/solution/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,15 @@
 namespace bem_contact {
 
 namespace {
+
+/// mm. The bodies stand still when a solution moves the contact by less: the lateral force on a gauge corner
+/// then is good to about 10 N of 6e4.
+constexpr double position_tolerance = 1e-4;
+/// mm. A turn of a body counts as the motion that it makes at this distance from the reference point: half
+/// the width of a contact.
+constexpr double half_contact = 5.0;
+/// 1. Most solutions until the bodies stand still: a bound.
+constexpr int most_placements = 12;
 
 /// Both parts, along and about the axes.
 SixNumbers turned(const SixNumbers& v, double angle) {

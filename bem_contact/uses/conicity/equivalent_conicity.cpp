@@ -1,7 +1,6 @@
 #include "bem_contact/uses/conicity/equivalent_conicity.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/uses/conicity/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,10 @@
 namespace bem_contact {
 
 namespace {
+
+/// mm. A motion whose width differs by more from the one asked for stands at a jump of the width: there is
+/// none of this amplitude.
+constexpr double width_tolerance = 1e-6;
 
 /// The potential S at one displacement, seen from its lowest point outwards: `away` is the distance from
 /// there, `force` is dS/d(away).
@@ -115,7 +118,7 @@ std::optional<EquivalentConicity> equivalent_conicity(std::span<const RadiusDiff
                          .wavelength = std::numeric_limits<double>::infinity(),
                          .from = f[lowest].lateral - from,
                          .to = f[lowest].lateral + to};
-  if (from + to > 2 * amplitude + conicity::width_tolerance)
+  if (from + to > 2 * amplitude + width_tolerance)
     return std::nullopt;
   const double er = lengths.contact_distance * lengths.wheel_radius;
   out.wavelength = 2 * std::sqrt(0.5 * er) * (time_on(right, high, to) + time_on(left, high, from));

@@ -5,7 +5,6 @@
 #include "bem_contact/geometry/contact_search.hpp"
 #include "bem_contact/geometry/level_roll.hpp"
 #include "bem_contact/profile/wheel_datum.hpp"
-#include "bem_contact/uses/conicity/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,18 @@
 namespace bem_contact {
 
 namespace {
+
+/// mm. Lateral displacements of the table are at most this far apart. The standard's reference functions have
+/// this step.
+constexpr double lateral_step = 0.1;
+/// mm, arc length on a profile. Where a contact point moves by more between two displacements, another one is
+/// put between them: a jump of the contact becomes a steep stretch. Chosen: a twentieth of a contact's width.
+constexpr double largest_move = 0.5;
+/// mm. No two displacements get nearer. A jump of 2 mm in the radius difference, placed 2e-3 mm off, changes
+/// the conicity of an amplitude of 3 mm by less than 1e-3 of itself.
+constexpr double smallest_lateral_step = 2e-3;
+/// mm. Both wheels stand on their rails when the heights of the axle that they ask for differ by less.
+constexpr double height_difference = 1e-9;
 
 struct Lowered {
   double down = 0; ///< how far the axle went down until the wheel touched, mm
@@ -51,7 +62,7 @@ WheelsetStand rolled(const WheelsetOnTrack& wheelset, double lateral) {
     left = lowered(wheelset, WheelSide::left, lateral, roll);
     return right.down - left.down;
   };
-  const double roll = level_roll(unequal, 0, wheelset.contact_distance(), conicity::height_difference);
+  const double roll = level_roll(unequal, 0, wheelset.contact_distance(), height_difference);
   return {lateral, roll, right.touch, left.touch};
 }
 
@@ -63,8 +74,8 @@ double move(const WheelTouch& a, const WheelTouch& b) {
 void refine(const WheelsetOnTrack& wheelset, const WheelsetStand& from, const WheelsetStand& to,
             std::vector<WheelsetStand>& out, const std::atomic<bool>* stop) {
   end_if_stopped(stop);
-  const bool fast = std::max(move(from.right, to.right), move(from.left, to.left)) > conicity::largest_move;
-  if (fast && std::abs(to.lateral - from.lateral) > 2 * conicity::smallest_lateral_step) {
+  const bool fast = std::max(move(from.right, to.right), move(from.left, to.left)) > largest_move;
+  if (fast && std::abs(to.lateral - from.lateral) > 2 * smallest_lateral_step) {
     const WheelsetStand middle = stand(wheelset, 0.5 * (from.lateral + to.lateral));
     refine(wheelset, from, middle, out, stop);
     refine(wheelset, middle, to, out, stop);
@@ -77,7 +88,7 @@ void refine(const WheelsetOnTrack& wheelset, const WheelsetStand& from, const Wh
 std::vector<WheelsetStand> one_side(const WheelsetOnTrack& wheelset, const WheelsetStand& middle, double end,
                                     const std::atomic<bool>* stop) {
   std::vector<WheelsetStand> stands;
-  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(end) / conicity::lateral_step - 1e-9)));
+  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(end) / lateral_step - 1e-9)));
   try {
     WheelsetStand last = middle;
     for (int i = 1; i <= steps; ++i) {

@@ -6,7 +6,6 @@
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/scene/warnings.hpp"
 #include "bem_contact/scene/wheel_rail_geometry.hpp"
-#include "bem_contact/uses/conicity/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +15,14 @@
 namespace bem_contact {
 
 namespace {
+
+/// mm. The table reaches so much farther than the largest amplitude, because a motion need not have its
+/// middle at y = 0.
+constexpr double beyond_amplitude = 2.0;
+/// mm. The cone in the middle is looked at so far to either side: the smallest amplitude that is usual.
+constexpr double middle_reach = 1.0;
+/// 1. tan gamma in the middle below which the cone is called negative: less is a cylinder, and rounding.
+constexpr double least_negative_cone = -1e-5;
 
 template <double EquivalentConicity::*member> double of_motion(const WheelsetConicity::Value& v) {
   return v.motion ? (*v.motion).*member : std::numeric_limits<double>::quiet_NaN();
@@ -44,17 +51,17 @@ void warn_of_negative_cone(std::span<const RadiusDifference> function) {
   const std::optional<double> middle = middle_of_motion(function);
   if (!middle)
     return;
-  const double rise = difference_at(function, *middle + conicity::middle_reach) -
-                      difference_at(function, *middle - conicity::middle_reach);
-  const double tan_gamma = rise / (4 * conicity::middle_reach);
-  if (tan_gamma < conicity::least_negative_cone)
+  const double rise = difference_at(function, *middle + middle_reach) -
+                      difference_at(function, *middle - middle_reach);
+  const double tan_gamma = rise / (4 * middle_reach);
+  if (tan_gamma < least_negative_cone)
     messages()->warn("the cone is negative in the middle: at a lateral displacement of {:.2f} mm tan gamma "
                      "is {:.4f} (over {:g} mm "
                      "to either side), so that nothing holds the wheelset there, and it runs to one side "
                      "until its flange root "
                      "steers it back. A conicity whose motion does not pass this place is about another one, "
                      "beside the middle",
-                     *middle, tan_gamma, conicity::middle_reach);
+                     *middle, tan_gamma, middle_reach);
 }
 
 } // namespace
@@ -106,7 +113,7 @@ WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplit
         "Give both in mm, as 10 and 1.");
   WheelsetConicity out{.lengths = {wheelset.contact_distance(), wheelset.position.wheel_radius},
                        .stands =
-                           rolling_radius_difference(wheelset, largest + conicity::beyond_amplitude, stop),
+                           rolling_radius_difference(wheelset, largest + beyond_amplitude, stop),
                        .values = {}};
   std::vector<RadiusDifference> function;
   for (const WheelsetStand& s : out.stands)

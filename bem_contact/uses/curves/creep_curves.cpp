@@ -4,7 +4,6 @@
 #include "bem_contact/sequence/plan/hertz_model.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/uses/curves/linearised.hpp"
-#include "bem_contact/uses/curves/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +12,30 @@
 #include <utility>
 
 namespace bem_contact {
+
+namespace {
+
+/// 1. A curve whose range is not given reaches so many times the creepage at which linear theory reaches the
+/// friction bound: at three times of it a Hertz contact slips everywhere (Vermeulen and Johnson 1964).
+constexpr double automatic_reach = 3.0;
+/// 1. Points of such a curve: four on each rising part.
+constexpr int automatic_points = 25;
+/// 1. More points of all curves are refused: at 0.1 s each they take 20 minutes.
+constexpr std::size_t most_curve_points = 10000;
+/// 1, of the same creepage. Step of the differences that give slopes at zero creepage. Forces are known to
+/// 1e-8 of the bound, so that a slope has 5 digits; slip at the trailing edge takes 1e-3 of it off, and the
+/// extrapolation from two steps takes that out.
+constexpr double slope_step = 3e-3;
+/// 1, of the same creepage. Step of the differences that give sensitivities at a solution. With smaller ones
+/// the change of state of single elements shows.
+constexpr double sensitivity_step = 0.04;
+/// 1. Kalker's coefficients in place of unknown ones, for the steps and ranges of a contact that is no
+/// ellipse: 4 is that of a circle.
+constexpr double usual_coefficient = 4.0;
+/// 1. Longest ratio of the semi-axes at which linear theory is compared: its table ends there.
+constexpr double longest_ellipse = 10.0;
+
+} // namespace
 
 double LinearTheory::c() const {
   return std::sqrt(semi_axis_x * semi_axis_s);

@@ -1,13 +1,17 @@
 #include "bem_contact/uses/fatigue/shakedown.hpp"
 
-#include "bem_contact/uses/fatigue/settings.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 namespace bem_contact::fatigue {
 
 namespace {
+
+/// 1 (half width of a long contact). Where limit_below() looks for the largest shear: it lies between the
+/// edges, and at most 0.5 deep.
+constexpr double shakedown_extent = 1.5;
+/// 1. Step of that search: with a tenth of it limits fall by less than 1e-4 of themselves.
+constexpr double shakedown_step = 0.01;
 
 /// The shear along the surface over p0; x and z (down) over the half width of the contact.
 double shear_of_line(double x, double z, double traction) {

@@ -11,6 +11,14 @@ namespace bem_contact::fatigue {
 
 namespace {
 
+/// 1. Points along x and along s of a patch at which the search for the largest stress begins. Stresses below
+/// the surface are smoother than the tractions; twice as many found the same peaks in the tests.
+constexpr int search_points = 9;
+/// 1. Depths at each of these points, between the least depth and the patch's smaller side.
+constexpr int search_depths = 10;
+/// 1. Bound of its steps.
+constexpr int most_search_steps = 200;
+
 /// The elements in contact lie between these, mm.
 struct Extent {
   double x_from = 0, x_to = 0, s_from = 0, s_to = 0;

@@ -7,7 +7,6 @@
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
-#include "bem_contact/uses/sweep/settings.hpp"
 #include "bem_contact/uses/sweep/sweep_columns.hpp"
 
 #include <algorithm>
@@ -18,6 +17,13 @@
 namespace bem_contact {
 
 namespace {
+
+/// 1. One process solves a chunk of cases one after the other and starts each case from the one before. More
+/// chunks share the work better; longer chunks have fewer cold starts. Chosen, not measured.
+constexpr std::size_t chunks_of_a_sweep = 8;
+/// Cases. Smallest and largest chunk. Chosen, not measured.
+constexpr std::size_t smallest_chunk = 4;
+constexpr std::size_t largest_chunk = 32;
 
 /// Adds to the reason of a case.
 void say(SweepCase& record, const std::string& text) {

@@ -2,7 +2,6 @@
 
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/uses/table/settings.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,6 +11,10 @@
 namespace bem_contact::table {
 
 namespace {
+
+/// 1, of the length of an axis: a coordinate so little beyond its end is the end. Quotients and logarithms
+/// leave the last of 16 digits open.
+constexpr double axis_slack = 1e-12;
 
 /// The interval of a coordinate: between points[lower] and the next.
 std::size_t interval(std::span<const double> points, double at) {

@@ -1,7 +1,6 @@
 #include "bem_contact/uses/table/measured_table.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/uses/table/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +22,9 @@ void MeasuredTable::ask(std::span<const Point> points) {
 }
 
 namespace {
+
+/// 1. Rounds, as a guard: each inserts a point at least, and 200 points on an axis are no table.
+constexpr int most_rounds = 200;
 
 [[noreturn]] void refuse_to_hold(const Column& column) {
   throw InputError(fmt::format("{} cannot be held within the tolerance", column.name),

@@ -15,6 +15,13 @@ namespace bem_contact::table {
 
 namespace {
 
+/// 1. Cells whose middle is solved in one round of refining. The last round measures every cell. Fewer leave
+/// large errors to that round; more cost solutions that refining throws away.
+constexpr std::size_t cells_in_a_round = 400;
+/// 1, of the largest error of a round: cells with a larger one are refined. Smaller ones often vanish with
+/// the intervals that the others need.
+constexpr double worst_share = 0.5;
+
 class TensorRefinement {
 public:
   TensorRefinement(ContactTable& table, const PointsSolver& solve, const Wanted& wanted)

@@ -11,6 +11,10 @@ namespace bem_contact::table {
 
 namespace {
 
+/// 1, of the tolerance: with nested axes, a larger error along the last axis is removed before the axes
+/// before it are looked at. A table of a/b from 0.1 to 10 within 1 % takes 26516 points with it.
+constexpr double inner_share = 0.5;
+
 /// The points of one axis at some point of the axes before it, and what lies below each.
 struct Line {
   std::vector<double> points{};

@@ -6,7 +6,6 @@
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
-#include "bem_contact/uses/table/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +18,11 @@
 namespace bem_contact::table {
 
 namespace {
+
+/// mm. Errors of positions and rolling radii are relative to their range in the table, or to this.
+constexpr double shortest_range = 1.0;
+/// rad. The same of angles.
+constexpr double smallest_turn = 0.1;
 
 /// What errors of a column are relative to.
 enum class ScaleBy { force, moment, length_range, angle_range, largest };

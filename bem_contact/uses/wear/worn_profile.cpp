@@ -1,7 +1,6 @@
 #include "bem_contact/uses/wear/worn_profile.hpp"
 
 #include "bem_contact/base/output_file.hpp"
-#include "bem_contact/uses/wear/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,12 @@
 namespace bem_contact::wear {
 
 namespace {
+
+/// mm. Distance of the points of a profile that wears: a contact 1.2 mm wide, on a flange, still has twelve.
+constexpr double profile_spacing = 0.1;
+/// 1 (wavelength). Spacing of the knots of the cubic B-spline that spreads the wear of a row: it keeps half
+/// of a wave of three times its spacing, (sin(pi/3) / (pi/3))^4 = 0.47.
+constexpr double knots_per_wavelength = 3.0;
 
 /// Integral from -infinity to t of the cubic B-spline with knots -2, -1, 0, 1, 2.
 double b_spline_until(double t) {

@@ -19,6 +19,34 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// 1. Most steps to the equilibrium at one lateral displacement: 3 to 5 are usual. A bound.
+constexpr int equilibrium_steps = 40;
+/// 1. A step that does not lessen the residual is halved so often at most.
+constexpr int step_halvings = 6;
+/// 1. A step leaves each wheel at least this share of its approach, so that no wheel is lifted by accident,
+constexpr double least_approach_share = 0.3;
+/// 1. and gives it at most so many times of it: forces then grow fivefold.
+constexpr double most_approach_share = 3.0;
+/// 1. A wheel that bears less than this share of the vertical force, and still too much, lifts.
+constexpr double lifted_share = 1e-4;
+/// 1. A wheel of whose elements in contact fewer adhere slides: near full slip some stay in adhesion about
+/// the spin's pole. Chosen.
+constexpr double sliding_adhesion = 0.05;
+/// 1. Step of differences, over the smaller approach: forces then change by some percent.
+constexpr double difference_share = 0.02;
+/// 1. Kalker's C11 of a circle of steel (4.2): the slope of the longitudinal force at small creepage.
+constexpr double kalker_c11 = 4.2;
+/// 1. Least share of that slope that is left when friction is used up: of the theory of Vermeulen and
+/// Johnson, whose slope vanishes there, and a search could go anywhere.
+constexpr double least_creep_slope = 0.03;
+/// 1. Creepage that counts in steps like an approach of 1 mm: both then change forces by about their own
+/// size.
+constexpr double creepage_scale = 0.05;
+/// 1. Most that the rolling radius changes in one step, as a creepage: more lies beyond full slip.
+constexpr double largest_creepage_step = 3e-3;
+/// mm. Heights of both wheels on their rails, before anything is solved, agree within this.
+constexpr double stand_tolerance = 1e-4;
+
 /// How forces and moments on both rails change, per mm and rad of the wheelset's motion: a model, good to
 /// some ten percent.
 struct WheelsetStiffness {

@@ -23,6 +23,30 @@ namespace bem_contact {
 
 namespace {
 
+/// mm. First step of the lateral search, and factor by which the next one is longer as long as the force is
+/// not passed.
+constexpr double first_lateral_step = 0.25;
+/// 1. As above.
+constexpr double lateral_step_growth = 1.4;
+/// mm. Longest step: a flange takes up its force within a few tenths, and holds it for some millimetres.
+constexpr double largest_lateral_step = 1.0;
+/// mm. Shortest step towards displacements at which the wheelset does not stand: two flanges in their gauge
+/// corners have some hundredths.
+constexpr double least_lateral_step = 2e-3;
+/// mm. The search ends so far from position.lateral: a wheelset has some 7 mm to either side.
+constexpr double lateral_search_reach = 14.0;
+/// 1. Elements of the rough half-space solutions are so many times as long and wide.
+constexpr double rough_elements = 2.0;
+/// 1. Residuals of rough solutions: on the tread the lateral force changes by some 1e-3 of the vertical one
+/// in rough_lateral_width.
+constexpr double rough_tolerance = 1e-5;
+/// 1. An interval that holds such a displacement gets narrower by at least this share of it.
+constexpr double least_narrowing = 0.15;
+/// mm. Rough displacements are found within this.
+constexpr double rough_lateral_width = 0.03;
+/// 1. Most rounds in which elements are chosen again for the accuracy asked for.
+constexpr int most_element_rounds = 3;
+
 /// Narrows an interval at whose ends the force is on different sides of `wanted`: where the line between
 /// both meets it, but not too near to an end, because on a flange the force is no line. Where no equilibrium
 /// is found, nearer to `a`: an equilibrium leads to those beside it.

@@ -4,7 +4,6 @@
 #include "bem_contact/scene/wheel_rail_geometry.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
-#include "bem_contact/uses/wheelset/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +49,13 @@ Wrench wrench_of(const SceneResult& result, Point2 centre) {
 }
 
 namespace {
+
+/// 1. Elements are chosen for so much of the accuracy asked for, because they are chosen near the
+/// equilibrium, not at it: a second round costs more than smaller elements.
+constexpr double accuracy_reserve = 0.8;
+/// 1. Elements of both wheels count as alike if those of one are no more than so many times as long and wide:
+/// the smaller ones for both then cost about twice the elements at most.
+constexpr double alike_elements = 1.5;
 
 double dot(const Vector3& a, const Vector3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
