@@ -110,6 +110,7 @@ struct PatchErrors {
 struct Discretisation {
   int contact = 0;                    ///< elements of the companion in contact
   ContactTotals coarse, extrapolated; ///< of the companion; and as above
+  Tractions tractions;                ///< of the companion
   double approach = 0;   ///< error of q, over the largest PatchSummary::approach; 0 if q is prescribed
   double normal = 0;     ///< error of the force of p_n as a vector in (y, z), over sum p_n dS
   double tangential = 0; ///< error of the vector (sum p_x dS, sum p_s dS), over sum mu p_n dS

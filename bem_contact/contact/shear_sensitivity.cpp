@@ -38,7 +38,7 @@ VectorXd solved(const NewtonMatrix& matrix, const Linearisation& at, const Vecto
     rest.residual = x - projected(at, x) + projected(at, product, &stiffness) - right; // J x - right
     if (rest.residual.norm() <= sensitivity_precision * right.norm())
       return x;
-    x += matrix.newton_step(rest, finest_newton_forcing, work, state);
+    x += matrix.newton_step(rest, {}, finest_newton_forcing, work, state).x;
     if (!x.allFinite())
       break;
   }

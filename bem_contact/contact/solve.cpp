@@ -241,6 +241,8 @@ void Estimate::add_to(ContactResult& result) {
     auto& [joined, problem, coarse] = *companion_;
     const contact::LentNumbers lent(prepared.numbers, problem);
     result.discretisation = contact::compare(problem_, result, problem, coarse);
+    if (result.discretisation)
+      result.discretisation->tractions = tractions_of(coarse);
     if (!result.discretisation)
       result.unestimated = contact::why_not_compared(problem, coarse);
   } catch (const Error&) { // larger elements cannot carry the forces, or no work is left
@@ -264,11 +266,22 @@ double known_share(const ContactProblem& problem, const ContactResult& solved) {
   return force / capacity;
 }
 
-/// A rough solution, from `start` and its creepages. Nothing where it did not settle at once.
-std::optional<ContactResult> rough_result(const ContactProblem& problem, const StartingPoint& start,
+/// The solution without longitudinal force is looked for from here.
+NearSolution near_solution(Tractions tractions, double approach, double creepage_x, double creepage_s) {
+  NearSolution near{{std::move(tractions), approach}, {}};
+  near.shear_guess.px = near.px;
+  near.shear_guess.ps = near.ps;
+  near.creepage_x = creepage_x;
+  near.creepage_s = creepage_s;
+  return near;
+}
+
+/// A rough solution from `near`. Nothing where it did not settle at once.
+std::optional<ContactResult> rough_result(const ContactProblem& problem, const NearSolution& near,
                                           SolverOptions options, contact::ContactOperators& operators,
                                           WorkBudget& work) {
-  options.start = &start;
+  options.near = &near;
+  options.start = nullptr;
   options.early_end = nullptr;
   const contact::Solution solution = contact::solve_coupled(problem, options, operators, work);
   if (!solution.settled || !solution.shear.converged || !solution.creepage.reached)
@@ -276,32 +289,57 @@ std::optional<ContactResult> rough_result(const ContactProblem& problem, const S
   return result_of(problem, solution);
 }
 
-StartingPoint start_near(Tractions tractions, double approach, double creepage_x, double creepage_s) {
-  StartingPoint start{std::move(tractions), approach};
-  start.near = true;
-  start.creepage_x = creepage_x;
-  start.creepage_s = creepage_s;
-  return start;
-}
-
-/// Of the creepage of a rough solution, by one as rough on larger elements.
-double creepage_error(const ContactProblem& problem, const ContactResult& rough, const SolverOptions& options,
-                      contact::ContactOperators& operators, WorkBudget& work) {
-  if (!contact::why_no_companion(problem, rough).empty())
-    return unknown_error;
-  const contact::LargerElements larger(problem.grid, rough.pn);
-  contact::CompanionOperators& prepared = operators.companion(problem.numbers, larger, false);
-  try {
-    contact::Companion coarse = contact::companion_of(problem, rough, larger);
-    const contact::LentNumbers lent(prepared.numbers, coarse.problem);
-    const StartingPoint start =
-        start_near(std::move(coarse.start), coarse.start.approach, rough.creepage_x, rough.creepage_s);
-    const auto result = rough_result(coarse.problem, start, options, prepared.operators, work);
-    return result ? contact::creepage_x_error(problem, rough, coarse.problem, *result) : unknown_error;
-  } catch (const Error&) { // larger elements cannot carry the forces, or no work is left
-    return unknown_error;
+/// The same problem on the larger elements of the estimate, from the companion of `near`.
+class FreeOnLarger {
+public:
+  FreeOnLarger(const ContactProblem& problem, const ContactResult& near, double creepage,
+               const SolverOptions& options, contact::ContactOperators& operators, WorkBudget& work)
+      : larger_(problem.grid, near.pn), prepared_(operators.companion(problem.numbers, larger_, false)),
+        coarse_(contact::companion_of(problem, near, larger_).problem),
+        companion_(near.discretisation->tractions) {
+    const contact::LentNumbers lent(prepared_.numbers, coarse_);
+    try {
+      result_ = rough_result(
+          coarse_, near_solution(companion_, near.discretisation->coarse.approach, creepage, near.creepage_s),
+          options, prepared_.operators, work);
+    } catch (const Error&) { // larger elements cannot carry the forces, or no work is left
+    }
   }
-}
+
+  /// The fine elements begin with what the larger ones found.
+  void improve(NearSolution& near) const {
+    if (!result_)
+      return;
+    near.creepage_x = result_->creepage_x;
+    near.creepage_s = result_->creepage_s;
+    const auto add_change = [&](std::vector<double> Tractions::*component, const std::vector<double>& found) {
+      std::vector<double> change = found;
+      for (std::size_t i = 0; i < change.size(); ++i)
+        change[i] -= (companion_.*component)[i];
+      change = larger_.between(change);
+      for (std::size_t i = 0; i < change.size(); ++i)
+        if (near.pn[i] > 0)
+          (near.shear_guess.*component)[i] += change[i];
+    };
+    add_change(&Tractions::px, result_->px);
+    add_change(&Tractions::ps, result_->ps);
+  }
+
+  /// Of the creepage that `found` has.
+  double error_of(const ContactProblem& problem, const ContactResult& found) {
+    if (!result_ || !contact::why_no_companion(problem, found).empty())
+      return unknown_error;
+    const contact::LentNumbers lent(prepared_.numbers, coarse_);
+    return contact::creepage_x_error(problem, found, coarse_, *result_);
+  }
+
+private:
+  contact::LargerElements larger_;
+  contact::CompanionOperators& prepared_;
+  ContactProblem coarse_; ///< without influence numbers
+  Tractions companion_;
+  std::optional<ContactResult> result_;
+};
 
 } // namespace
 
@@ -310,20 +348,27 @@ std::optional<FreeCreepage> free_creepage(const ContactProblem& problem, const C
   validate(problem);
   contact::ContactOperators only_now;
   contact::ContactOperators& operators = given.workspace ? given.workspace->of(problem) : only_now;
-  // What is missing of the forces may be settling_factor times the tolerance.
-  const double known = known_share(problem, near) * contact::free_creepage_share / contact::settling_factor;
+  // What is missing of the forces may be settling_factor times the tolerance; so may be what the tractions'
+  // equations miss, and what a change of the pressure is worth.
+  const double known =
+      known_share(problem, near) * contact::free_creepage_share / (3 * contact::settling_factor);
   SolverOptions options = given;
   options.tolerance = std::isfinite(known) ? std::clamp(known, given.tolerance, contact::loose_tolerance)
                                            : std::max(given.tolerance, contact::companion_tolerance);
-  const StartingPoint start = start_near(tractions_of(near), near.approach, creepage, near.creepage_s);
+  NearSolution start = near_solution(tractions_of(near), near.approach, creepage, near.creepage_s);
+  std::optional<FreeOnLarger> on_larger;
+  if (given.estimate_discretisation && near.discretisation) {
+    on_larger.emplace(problem, near, creepage, options, operators, work);
+    on_larger->improve(start);
+  }
+  // On larger elements tractions count too, for the error is estimated from both.
+  options.forces_alone = std::isfinite(known);
   const auto rough = rough_result(problem, start, options, operators, work);
   if (!rough)
     return std::nullopt;
   const double left = std::isfinite(rough->compliance_x) ? -rough->compliance_x * rough->Fx : 0;
   return FreeCreepage{rough->creepage_x + left,
-                      given.estimate_discretisation
-                          ? creepage_error(problem, *rough, options, operators, work)
-                          : unknown_error};
+                      on_larger ? on_larger->error_of(problem, *rough) : unknown_error};
 }
 
 ContactResult solve(const ContactProblem& problem, const SolverOptions& options) {

@@ -12,10 +12,13 @@ class Workspace;
 /// A guess at the solution, on the problem's grid.
 struct StartingPoint : Tractions {
   double approach = 0; ///< mm
-  /// It solves nearly this problem: with these creepages where shear forces are prescribed. The first outer
-  /// iteration is solved precisely at once.
-  bool near = false;
-  double creepage_x = 0, creepage_s = 0; ///< as ContactResult has them
+};
+
+/// The solution of nearly the same problem: with other creepages or shear forces alone. Its pressure is held
+/// in the first outer iteration, and only changes where what shear does to it calls for that.
+struct NearSolution : StartingPoint {
+  Tractions shear_guess;                 ///< px and ps to begin with
+  double creepage_x = 0, creepage_s = 0; ///< and creepages, as ContactResult has them
 };
 
 /// Ends a solution early where it is only rough, but its estimated errors already say that smaller elements
@@ -40,6 +43,10 @@ struct SolverOptions {
   bool coarse_start = true;   ///< without `start`, solve a large problem on larger elements first
   /// Starts from here instead of larger elements. A guess without pressure, or on another grid, is ignored.
   const StartingPoint* start = nullptr;
+  const NearSolution* near = nullptr; ///< in place of `start`
+  /// Creepages of prescribed forces are all that is asked for. Tractions are precise enough where what their
+  /// equations miss adds up to no more force than may be missing.
+  bool forces_alone = false;
   /// Go on from the factors and directions that the last solution left in the workspace. The result then
   /// depends on that one, as it does on `start`, within the certificate.
   bool continues = false;

@@ -103,6 +103,35 @@ TEST(Gcr, GoesOnWhenMoreWasSolvedThanIsKept) {
   }
 }
 
+/// The same by LU factors of the whole matrix [J, columns; rows', 0].
+TEST(Gcr, SolvesABorderedSystem) {
+  for (const int further : {1, 2}) {
+    const int n = 60;
+    std::srand(further);
+    const Eigen::MatrixXd j = 4 * Eigen::MatrixXd::Identity(n, n) + 0.3 * Eigen::MatrixXd::Random(n, n);
+    const Eigen::MatrixXd columns = Eigen::MatrixXd::Random(n, further),
+                          rows = Eigen::MatrixXd::Random(n, further);
+    const Eigen::VectorXd rhs = Eigen::VectorXd::Random(n), sums = Eigen::VectorXd::Random(further);
+    Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(n + further, n + further);
+    whole << j, columns, rows.transpose(), Eigen::MatrixXd::Zero(further, further);
+    Eigen::VectorXd right(n + further);
+    right << rhs, sums;
+    const Eigen::VectorXd exact = whole.lu().solve(right);
+    const Eigen::MatrixXf fast = j.cast<float>();
+    contact::Gcr gcr{{contact::kept_solutions, contact::kept_directions}};
+    contact::BorderedSolution found;
+    const auto product = [&](const auto& v, auto&& out) { out = fast * v; };
+    const auto image = [](const auto&, const auto& bv, Eigen::VectorXf& out) { out = bv; };
+    const auto inverse = [](const Eigen::VectorXf& v, auto&& out) { out = 0.25f * v; };
+    for (int again = 0; again < 2; ++again) { // the second time from what was kept
+      EXPECT_TRUE(gcr.solve(product, image, inverse, rhs, {columns, rows, sums}, {1e-5, 100}, found));
+      EXPECT_LT((found.x - exact.head(n)).norm(), 1e-4 * exact.norm());
+      EXPECT_LT((found.y - exact.tail(further)).norm(), 1e-4 * exact.norm());
+      EXPECT_LT((rows.transpose() * found.x - sums).norm(), 1e-5 * sums.norm());
+    }
+  }
+}
+
 TEST(Gcr, SaysWhereItDidNotConverge) {
   Systems systems;
   systems.b.setZero(); // and the mask is all 1: singular

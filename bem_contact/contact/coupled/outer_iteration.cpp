@@ -121,6 +121,11 @@ void iterate_once(const CoupledSystem& system, const SolverOptions& options, con
     return;
   if (before.size() == solution.normal.p.size())
     follow(before, solution.normal.p, solution.shear.p);
+  solve_shear(system, options, work, solution);
+}
+
+void solve_shear(const CoupledSystem& system, const SolverOptions& options, WorkBudget& work,
+                 Solution& solution) {
   if (solution.outer_iterations > most_fresh_slips)
     solution.shear.held = solution.shear.slipped;
   const double floor = slip_rounding * solution.normal.p.maxCoeff() * system.normal.self;

@@ -52,6 +52,10 @@ Eigen::VectorXd former_slip(const ContactProblem& problem, const Shear& shear, W
 void iterate_once(const CoupledSystem& system, const SolverOptions& options, const Eigen::VectorXd& v,
                   const NormalLoad& load, WorkBudget& work, Solution& solution);
 
+/// Its second half: the tangential problem under the pressure of `solution`. With friction.
+void solve_shear(const CoupledSystem& system, const SolverOptions& options, WorkBudget& work,
+                 Solution& solution);
+
 /// (A p_t)_n of the solution, mm; zero where the numbers do not couple.
 Eigen::VectorXd normal_displacement(const Shear& shear, const Solution& solution);
 

@@ -42,6 +42,7 @@ public:
   bool run(const RoughLook* look);
 
 private:
+  void iterate_under_held_pressure();
   VectorXd image(); ///< G(v) after an outer iteration; sets the last entry of v
   double relative_change(const VectorXd& residual) const;
   void tighten(double change); ///< the tolerance of the next outer iteration
@@ -62,8 +63,8 @@ private:
 OuterLoop::OuterLoop(const CoupledSystem& system, const SolverOptions& options, WorkBudget& work,
                      Solution& solution)
     : system_(system), options_(options), work_(work), solution_(solution), n_(system.gap.size()),
-      tolerance_(options.tolerance, system.coupled() && !(options.start && options.start->near)),
-      balance_(system.problem.force), v_(VectorXd::Zero(n_ + 1)) {
+      tolerance_(options.tolerance, system.coupled() && !options.near), balance_(system.problem.force),
+      v_(VectorXd::Zero(n_ + 1)) {
   if (system.by_force &&
       solution.normal.p.size() == n_) { // guess the share that shear carries from the start
     const double pressed = system.normal.cosine.dot(solution.normal.p) * system.problem.element_area();
@@ -71,6 +72,17 @@ OuterLoop::OuterLoop(const CoupledSystem& system, const SolverOptions& options, 
   }
   if (system.by_numbers && solution.shear.p.any())
     v_.head(n_) = normal_displacement(*system.shear, solution);
+}
+
+/// The pressure of options.near solves the normal problem under v_ as it is.
+void OuterLoop::iterate_under_held_pressure() {
+  NormalState& normal = solution_.normal;
+  normal.u = system_.normal.apply(normal.p, work_);
+  normal.converged = true;
+  const Tractions& guess = options_.near->shear_guess;
+  solution_.shear.p << VectorXd::Map(guess.px.data(), n_), VectorXd::Map(guess.ps.data(), n_);
+  ++solution_.outer_iterations;
+  solve_shear(system_, options_, work_, solution_);
 }
 
 VectorXd OuterLoop::image() {
@@ -125,8 +137,11 @@ bool OuterLoop::run(const RoughLook* look) {
   SolverOptions options = options_;
   for (int outer = 0; outer < options_.max_outer; ++outer) {
     options.tolerance = tolerance_.now();
-    iterate_once(system_, options, v_.head(n_), {problem.load, problem.approach, solution_.pressed}, work_,
-                 solution_);
+    if (outer == 0 && options.near)
+      iterate_under_held_pressure();
+    else
+      iterate_once(system_, options, v_.head(n_), {problem.load, problem.approach, solution_.pressed}, work_,
+                   solution_);
     if (!system_.coupled()) {
       if (system_.shear)
         solution_.from_shear = normal_displacement(*system_.shear, solution_);

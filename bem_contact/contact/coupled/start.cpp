@@ -26,11 +26,6 @@ bool start_from_guess(const StartingPoint& guess, const ContactProblem& problem,
   solution.normal.p = Eigen::Map<const VectorXd>(guess.pn.data(), n).cwiseMax(0.0);
   solution.normal.approach = guess.approach;
   set_active(solution.normal);
-  if (guess.near) {
-    solution.creepage.x = guess.creepage_x;
-    solution.creepage.s = guess.creepage_s;
-    solution.creepage.near = true;
-  }
   if (problem.has_friction())
     solution.shear.p << Eigen::Map<const VectorXd>(guess.px.data(), n),
         Eigen::Map<const VectorXd>(guess.ps.data(), n);
@@ -76,6 +71,7 @@ void start_from_larger_elements(const ContactProblem& problem, const SolverOptio
   const LentNumbers lent(prepared.numbers, coarse);
   SolverOptions loose = options;
   loose.start = nullptr;
+  loose.near = nullptr;
   loose.tolerance = std::max(options.tolerance, start_tolerance);
   loose.max_outer = 1; // a start need not know how shear acts on the pressure
   loose.max_tangential = std::min(options.max_tangential, start_newton_steps);
@@ -105,6 +101,13 @@ Solution start(const ContactProblem& problem, const SolverOptions& options, Cont
   solution.shear.solver = "none";
   solution.shear.converged = true;
   solution.pressed = problem.force;
+  if (options.near) {
+    start_from_guess(*options.near, problem, solution);
+    solution.creepage.x = options.near->creepage_x;
+    solution.creepage.s = options.near->creepage_s;
+    solution.creepage.near = true;
+    return solution;
+  }
   if (options.start && start_from_guess(*options.start, problem, solution))
     return solution;
   if (options.coarse_start)

@@ -6,8 +6,9 @@
 
 namespace bem_contact::contact {
 
-/// What the outer iterations start from: the guess of options.start; else (options.coarse_start) the solution
-/// of the same problem on elements twice as large, solved loosely; else nothing.
+/// What the outer iterations start from: options.near, or the guess of options.start; else
+/// (options.coarse_start) the solution of the same problem on elements twice as large, solved loosely; else
+/// nothing.
 Solution start(const ContactProblem& problem, const SolverOptions& options, ContactOperators& operators,
                WorkBudget& work);
 

@@ -120,6 +120,32 @@ std::vector<double> LargerElements::mean(const std::vector<double>& field) const
   return out;
 }
 
+std::vector<double> LargerElements::between(const std::vector<double>& coarse) const {
+  struct Place {
+    int low, high;
+    double share; ///< of high
+  };
+  const auto place = [](const Joined& joined, int k) {
+    const double at = std::clamp((k - joined.first + 0.5) / joined.factor - 0.5, 0.0,
+                                 static_cast<double>(joined.count - 1));
+    const int low = static_cast<int>(at);
+    return Place{low, std::min(low + 1, joined.count - 1), at - low};
+  };
+  std::vector<double> out;
+  out.reserve(fine_.size());
+  for (int is = 0; is < fine_.ms; ++is) {
+    const Place s = place(s_, is);
+    for (int ix = 0; ix < fine_.mx; ++ix) {
+      const Place x = place(x_, ix);
+      const auto line = [&](int row) {
+        return (1 - x.share) * coarse[row * x_.count + x.low] + x.share * coarse[row * x_.count + x.high];
+      };
+      out.push_back((1 - s.share) * line(s.low) + s.share * line(s.high));
+    }
+  }
+  return out;
+}
+
 std::vector<double> LargerElements::at_centres(const std::vector<double>& field) const {
   std::vector<double> out, line(fine_.mx);
   out.reserve(static_cast<std::size_t>(x_.count) * s_.count);

@@ -30,6 +30,8 @@ public:
   bool joins_like(const LargerElements& other) const { return x_ == other.x_ && s_ == other.s_; }
   /// Mean over the joined elements; fields.
   std::vector<double> mean(const std::vector<double>& field) const;
+  /// The other way: linear between the centres of the large elements, and constant beyond; fields.
+  std::vector<double> between(const std::vector<double>& coarse) const;
   /// Value at the new centres by cubic interpolation, linear at the ends of the grid; fields.
   std::vector<double> at_centres(const std::vector<double>& field) const;
   /// Rows at the new centres, likewise.

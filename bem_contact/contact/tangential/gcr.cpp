@@ -4,10 +4,14 @@
 #include "bem_contact/contact/tangential/settings.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
 namespace bem_contact::contact {
+
+using Eigen::VectorXd;
+
 namespace {
 
 constexpr int lanes = 16; ///< sums side by side, for wide registers
@@ -62,7 +66,8 @@ void Gcr::forget() {
   oldest_ = 0;
 }
 
-void Gcr::begin(const Eigen::VectorXd& rhs, double length) {
+void Gcr::begin(const VectorXd& rhs, const Border& border) {
+  const Eigen::Index further = border.columns.cols();
   if (residual_.size() != rhs.size()) {
     const bool recycles = static_cast<int>(elements_.size()) <= most_recycling_elements;
     is_kept_.assign(recycles ? keeps_.solutions + keeps_.directions : 0, 0);
@@ -72,10 +77,45 @@ void Gcr::begin(const Eigen::VectorXd& rhs, double length) {
       m->resize(rhs.size(), first_directions);
     image_.resize(rhs.size());
   }
-  residual_ = (rhs / length).cast<float>();
+  for (auto* m : {&answers_, &b_answers_, &missed_})
+    m->resize(rhs.size(), further);
+  y_.resize(further, z_.cols());
+  const auto norm = [](const Eigen::MatrixXd& m) { return m.norm() > 0 ? m.norm() : 1.0; };
+  of_columns_ = norm(border.columns);
+  of_rows_ = norm(border.rows);
+  columns_ = (border.columns / of_columns_).cast<float>();
+  rows_ = (border.rows / of_rows_).cast<float>();
+  residual_.resize(rhs.size());
   left_ = least_left_ = 1;
   used_ = candidate_ = without_fall_ = 0;
   stalled_ = false;
+}
+
+/// The start that fulfils the border's equations, and its residual. False if nothing is left to do.
+bool Gcr::set_start(const VectorXd& rhs, const Border& border) {
+  length_ = rhs.norm();
+  if (columns_.cols() > 0) {
+    sums_.compute((rows_.transpose() * answers_).cast<double>());
+    start_ = sums_.solve(border.sums / of_rows_);
+    length_ = std::hypot(length_, start_.norm());
+  }
+  if (!(length_ > 0) || !std::isfinite(length_))
+    return false;
+  residual_ = (rhs / length_).cast<float>(); // numbers beyond those of single precision are none over length
+  if (columns_.cols() > 0)
+    residual_ -= missed_ * (start_ / length_).cast<float>();
+  left_ = least_left_ = residual_.norm();
+  return true;
+}
+
+/// Adds so much of the answers to the next direction that its sums are 0.
+void Gcr::constrain(bool with_product) {
+  if (columns_.cols() == 0)
+    return;
+  y_.col(used_) = -sums_.solve((rows_.transpose() * z_.col(used_)).cast<double>()).cast<float>();
+  z_.col(used_) += answers_ * y_.col(used_);
+  if (with_product)
+    bz_.col(used_) += b_answers_ * y_.col(used_);
 }
 
 /// Whether the residual is near the tolerance and single precision has no more digits to come nearer.
@@ -107,6 +147,8 @@ void Gcr::make_room() {
   if (used_ >= z_.cols())
     for (auto* m : {&z_, &bz_, &q_})
       m->conservativeResize(Eigen::NoChange, 2 * used_);
+  if (y_.cols() < z_.cols())
+    y_.conservativeResize(Eigen::NoChange, z_.cols());
   if (h_.cols() >= z_.cols())
     return;
   h_.conservativeResize(z_.cols(), z_.cols());
@@ -141,8 +183,8 @@ bool Gcr::take_image(bool kept) {
   return true;
 }
 
-/// x, from the triangle; and what is kept for the next system.
-void Gcr::finish(double length, Eigen::VectorXd& x) {
+/// The solution, from the triangle; and what is kept for the next system.
+void Gcr::finish(BorderedSolution& solution) {
   for (int i = used_ - 1; i >= 0; --i) {
     double sum = g_[i];
     for (int j = i + 1; j < used_; ++j)
@@ -152,7 +194,17 @@ void Gcr::finish(double length, Eigen::VectorXd& x) {
   share_.head(used_) = g_.head(used_).cast<float>();
   image_.setZero();
   add_columns(z_.data(), image_.size(), used_, share_.data(), image_.data());
-  x = length * image_.cast<double>();
+  solution.x = length_ * image_.cast<double>();
+  if (answers_.cols() > 0) {
+    solution.x += answers_.cast<double>() * start_;
+    solution.y = (start_ + length_ * (y_.leftCols(used_) * share_.head(used_)).cast<double>()) / of_columns_;
+  } else
+    solution.y.resize(0);
+  keep_solution();
+}
+
+/// image_ is the solution without the start.
+void Gcr::keep_solution() {
   if (is_kept_.empty() || used_ == 0)
     return;
   residual_.setZero();

@@ -1,10 +1,22 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
+#include <utility>
 #include <vector>
 
 namespace bem_contact::contact {
+
+/// A few further unknowns y of a system J x = r, and as many equations: J x + columns y = r, rows' x = sums.
+struct Border {
+  Eigen::MatrixXd columns, rows;
+  Eigen::VectorXd sums;
+};
+
+struct BorderedSolution {
+  Eigen::VectorXd x, y;
+};
 
 /// GCR (Eisenstat, Elman, Schultz 1983), preconditioned from the right, in single precision: what it solves
 /// for is a correction, whose first digits are enough. From the same start it finds what GMRES finds.
@@ -13,6 +25,9 @@ namespace bem_contact::contact {
 /// dear part of J z. So the last solutions and directions are kept with their products. In the next system
 /// they cost no product, and every further direction is orthogonal to them (recycling: de Sturler 1996; Parks
 /// et al. 2006). Keeps its memory too, so that a further solution of the same size allocates nothing.
+///
+/// The equations of a border hold for the start, and each direction is made such that they stay so. To that
+/// end it gets a share of the preconditioner's answers to the columns.
 class Gcr {
 public:
   using Vector = Eigen::VectorXf;
@@ -35,26 +50,48 @@ public:
   };
 
   /// product(z, Bz), image(z, Bz, Jz) and precondition(v, out) write Vectors of rhs's size. True when the
-  /// residual fell to the tolerance, or near it and no further; x is the best there is in any case.
+  /// residual fell to the tolerance, or near it and no further; the solution is the best there is in any
+  /// case.
   template <class Product, class Image, class Precondition>
   bool solve(const Product& product, const Image& image, const Precondition& precondition,
-             const Eigen::VectorXd& rhs, const Until& until, Eigen::VectorXd& x) {
-    const double length = rhs.norm();
-    x.setZero(rhs.size());
+             const Eigen::VectorXd& rhs, const Border& border, const Until& until,
+             BorderedSolution& solution) {
     products_ = 0;
-    if (length == 0)
+    const Eigen::Index further = border.columns.cols();
+    begin(rhs, border);
+    for (Eigen::Index k = 0; k < further; ++k, ++products_) {
+      precondition(-columns_.col(k), answers_.col(k));
+      product(answers_.col(k), b_answers_.col(k));
+      image(answers_.col(k), b_answers_.col(k), image_);
+      missed_.col(k) = image_ + columns_.col(k);
+    }
+    if (!set_start(rhs, border)) {
+      finish(solution);
       return true;
-    begin(rhs, length);
-    while (next_kept())
+    }
+    while (next_kept()) {
+      constrain(true);
       try_direction(image, true);
-    for (bool found = true; found && left_ > until.tolerance && products_ < until.products; ++products_) {
+    }
+    const int most = products_ + until.products;
+    for (bool found = true; found && left_ > until.tolerance && products_ < most; ++products_) {
       make_room();
       precondition(residual_, z_.col(used_));
+      constrain(false);
       product(z_.col(used_), bz_.col(used_));
       found = try_direction(image, false) && !stalls(until.tolerance);
     }
-    finish(length, x);
+    finish(solution);
     return left_ <= until.tolerance || stalled_;
+  }
+  /// The same without a border.
+  template <class Product, class Image, class Precondition>
+  bool solve(const Product& product, const Image& image, const Precondition& precondition,
+             const Eigen::VectorXd& rhs, const Until& until, Eigen::VectorXd& x) {
+    BorderedSolution solution{std::move(x), {}}; // its memory serves again
+    const bool converged = solve(product, image, precondition, rhs, Border{}, until, solution);
+    x = std::move(solution.x);
+    return converged;
   }
 
   int products() const { return products_; } ///< of the last solution
@@ -63,14 +100,19 @@ private:
   /// False where the image of direction number `used` has too little that is new.
   template <class Image> bool try_direction(const Image& image, bool kept) {
     image(z_.col(used_), bz_.col(used_), image_);
+    if (columns_.cols() > 0)
+      image_ += columns_ * y_.col(used_);
     return take_image(kept);
   }
-  void begin(const Eigen::VectorXd& rhs, double length);
+  void begin(const Eigen::VectorXd& rhs, const Border& border);
+  bool set_start(const Eigen::VectorXd& rhs, const Border& border);
+  void constrain(bool with_product);
   bool stalls(double tolerance);
   bool next_kept();
   void make_room();
   bool take_image(bool kept);
-  void finish(double length, Eigen::VectorXd& x);
+  void finish(BorderedSolution& solution);
+  void keep_solution();
   void keep(int column, const Eigen::Ref<const Vector>& z, const Eigen::Ref<const Vector>& bz);
 
   Keeps keeps_;
@@ -83,8 +125,17 @@ private:
   Eigen::MatrixXf h_;      ///< images = q h, with an upper triangle h
   Eigen::VectorXd g_;      ///< the residual's share of each column of q
   Vector residual_, image_, share_;
-  double left_ = 0, least_left_ = 0; ///< of the residual; when it last fell
-  int without_fall_ = 0;             ///< products since then
+  Eigen::MatrixXf columns_, rows_; ///< of the border, over their norms
+  double of_columns_ = 1, of_rows_ = 1;
+  Eigen::MatrixXf y_; ///< of each direction: the further unknowns, for these columns
+  /// The preconditioner's answers to the border's columns (about -J^-1 of them), their products, and what
+  /// they miss: J answers + columns.
+  Eigen::MatrixXf answers_, b_answers_, missed_;
+  Eigen::FullPivLU<Eigen::MatrixXd> sums_; ///< of the answers
+  Eigen::VectorXd start_;                  ///< the further unknowns to begin with
+  double length_ = 0;                      ///< what residuals are relative to
+  double left_ = 0, least_left_ = 0;       ///< of the residual; when it last fell
+  int without_fall_ = 0;                   ///< products since then
   bool stalled_ = false;
   int used_ = 0, from_kept_ = 0, candidate_ = 0, products_ = 0;
 };

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -40,17 +41,18 @@ public:
   /// value an unknown creepage.
   VectorXd missing() const { return missing(now_.p); }
   const VectorXd& creepages() const { return now_.creepages; }
-  /// Of each unknown creepage under a unit of its force, as the last step had it; empty before the first.
-  const VectorXd& compliances() const { return compliances_; }
+  /// What the equations of all elements miss, as forces, N.
+  double missing_in_elements() const {
+    return system_.problem->element_area() * now_.linearisation.residual.lpNorm<1>();
+  }
+  /// Of each unknown creepage under a unit of its force, the others held.
+  VectorXd compliances(TangentialState& state) const;
 
 private:
   struct Point {
     VectorXd p, slip, creepages;
     Linearisation linearisation;
     double residual; ///< MPa; what forces miss counts as a traction on all elements
-  };
-  struct Step {
-    VectorXd p, creepages, compliances;
   };
   MatrixXd unit_slips() const;
   VectorXd missing(const VectorXd& p) const;
@@ -67,8 +69,8 @@ private:
     const double residual = std::hypot(linearisation.residual.norm(), missing(p).norm() / spread);
     return {std::move(p), std::move(slip), std::move(creepages), std::move(linearisation), residual};
   }
-  Step step_from_here(double forcing, TangentialState& state) const;
-  bool search(const Step& step, double before);
+  Border border() const;
+  bool search(const BorderedSolution& step, double before);
   void help_worst_rows();
 
   const TangentialSystem& system_;
@@ -79,7 +81,6 @@ private:
   MatrixXd slips_;                 ///< of a unit of each unknown creepage, mm
   VectorXd drive_;
   Point now_;
-  VectorXd compliances_;
   double last_ = 0; ///< residual before the former step; 0: there was none
   int failed_searches_ = 0;
 };
@@ -102,35 +103,43 @@ VectorXd Newton::missing(const VectorXd& p) const {
   return out;
 }
 
-Newton::Step Newton::step_from_here(double forcing, TangentialState& state) const {
-  VectorXd p = matrix_.newton_step(now_.linearisation, forcing, work_, state);
+/// The creepages are further unknowns, and that the forces are met are further equations.
+Border Newton::border() const {
+  Border border;
   if (slips_.cols() == 0)
-    return {std::move(p), VectorXd(0), VectorXd(0)};
-  // Tractions under a unit of each creepage; then so much of them that the forces are met.
-  MatrixXd under_unit(p.size(), slips_.cols());
+    return border;
+  border.columns.resize(slips_.rows(), slips_.cols());
+  for (std::size_t a = 0; a < elements_.contact.size(); ++a)
+    border.columns.middleRows<2>(2 * a) =
+        -elements_.stiffness[a] * now_.linearisation.projection[a] * slips_.middleRows<2>(2 * a);
+  border.rows = system_.problem->element_area() / system_.rule.length * slips_;
+  border.sums = missing(now_.p);
+  return border;
+}
+
+VectorXd Newton::compliances(TangentialState& state) const {
+  const Border border = this->border();
+  MatrixXd under_unit(elements_.unknowns(), slips_.cols());
   Linearisation load = now_.linearisation;
   for (Eigen::Index k = 0; k < slips_.cols(); ++k) {
-    for (std::size_t a = 0; a < elements_.contact.size(); ++a)
-      load.residual.segment<2>(2 * a) =
-          -elements_.stiffness[a] * (load.projection[a] * slips_.col(k).segment<2>(2 * a)).eval();
-    under_unit.col(k) = matrix_.newton_step(load, forcing, work_, state);
+    load.residual = border.columns.col(k);
+    under_unit.col(k) = matrix_.newton_step(load, {}, compliance_precision, work_, state).x;
   }
-  const double sum = system_.problem->element_area() / system_.rule.length;
-  const Eigen::FullPivLU<MatrixXd> forces(MatrixXd(sum * slips_.transpose() * under_unit));
-  const VectorXd creepages = forces.solve(missing(now_.p) - sum * slips_.transpose() * p);
-  p += under_unit * creepages;
-  return {std::move(p), creepages, forces.inverse().diagonal()};
+  const Eigen::FullPivLU<MatrixXd> forces(border.rows.transpose() * under_unit);
+  if (!forces.isInvertible())
+    return VectorXd::Constant(slips_.cols(), std::numeric_limits<double>::quiet_NaN());
+  return forces.inverse().diagonal();
 }
 
 /// Halves the step until the residual decreases. If it does not, takes the shortest step.
-bool Newton::search(const Step& step, double before) {
+bool Newton::search(const BorderedSolution& step, double before) {
   VectorXd step_slip;
-  matrix_.step(step.p, step_slip);
-  step_slip = slips_ * step.creepages - step_slip;
+  matrix_.step(step.x, step_slip);
+  step_slip = slips_ * step.y - step_slip;
   double length = 1;
   for (int halving = 0; halving < newton_halvings; ++halving, length *= 0.5) {
-    Point there = point(now_.p + length * step.p, now_.slip + length * step_slip,
-                        now_.creepages + length * step.creepages);
+    Point there =
+        point(now_.p + length * step.x, now_.slip + length * step_slip, now_.creepages + length * step.y);
     const bool decreased = there.residual < (1 - newton_decrease * length) * before;
     if (decreased || halving == newton_halvings - 1) {
       now_ = std::move(there);
@@ -157,10 +166,9 @@ bool Newton::step(double enough, TangentialState& state) {
   const double forcing =
       std::clamp(known, std::max<double>(finest_newton_forcing, enough), coarsest_newton_forcing);
   last_ = before;
-  const Step step = step_from_here(forcing, state);
-  if (!step.p.allFinite() || !step.creepages.allFinite())
+  const BorderedSolution step = matrix_.newton_step(now_.linearisation, border(), forcing, work_, state);
+  if (!step.x.allFinite() || !step.y.allFinite())
     return false;
-  compliances_ = step.compliances;
   failed_searches_ += !search(step, before);
   if (now_.residual > slow_newton_step * before)
     help_worst_rows();
@@ -229,20 +237,24 @@ std::optional<ForcedCreepage> newton_for_forces(const TangentialSystem& system,
   for (int steps = 0;; ++steps) {
     take_point(method, task, state);
     const double missing = method.missing().norm() / forces.tolerance;
-    state.converged = state.violation <= options.tolerance && missing <= 1;
-    if (state.converged)
+    const double inexact = options.forces_alone ? method.missing_in_elements() / forces.tolerance
+                                                : state.violation / options.tolerance;
+    state.converged = std::max(inexact, missing) <= 1;
+    if (state.converged) {
+      const VectorXd compliances = method.compliances(state);
+      for (std::size_t k = 0; k < forces.components.size(); ++k)
+        found.compliance[forces.components[k]] = compliances[static_cast<Eigen::Index>(k)];
       return found;
+    }
     if (steps == most_forced_steps || method.stalls())
       return std::nullopt;
     ++state.iterations;
-    const double rest = std::max(state.violation / options.tolerance, missing);
-    if (!method.step(std::min(coarsest_newton_forcing, newton_end_forcing / rest), state))
+    const double enough = std::min(coarsest_newton_forcing, newton_end_forcing / std::max(inexact, missing));
+    if (!method.step(enough, state))
       return std::nullopt;
     found.creepage = forces.start;
-    for (std::size_t k = 0; k < forces.components.size(); ++k) {
+    for (std::size_t k = 0; k < forces.components.size(); ++k)
       found.creepage[forces.components[k]] += method.creepages()[k];
-      found.compliance[forces.components[k]] = method.compliances()[k];
-    }
     set_task();
   }
 }

@@ -25,8 +25,8 @@ struct PrescribedForces {
   Eigen::Vector2d start;       ///< creepages along x and s to begin with
 };
 
-/// Creepages along x and s, and what a unit of the force along x or s changes of each: 1/N (shift: mm/N), by
-/// the matrix of the last Newton step. nan: the creepage is given, or no step was taken.
+/// Creepages along x and s, and what a unit of the force along x or s changes of each: 1/N (shift: mm/N).
+/// nan: the creepage is given, or no force depends on it.
 struct ForcedCreepage {
   Eigen::Vector2d creepage;
   Eigen::Vector2d compliance = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());

@@ -49,19 +49,19 @@ double NewtonMatrix::product_work() const {
   return few_ ? elements_.contact.size() : system_.product_work(box_->boxes().rows()) * box_->size();
 }
 
-VectorXd NewtonMatrix::solve_few(const Asked& asked, TangentialOperators::FewElements& few,
-                                 TangentialState& state) const {
+BorderedSolution NewtonMatrix::solve_few(const Asked& asked, TangentialOperators::FewElements& few,
+                                         TangentialState& state) const {
   const std::vector<NewtonElement> elements =
       newton_elements(asked.at, few.matrix.scale * elements_.stiffness);
-  VectorXd step;
+  BorderedSolution step;
   const auto product = [&](const auto& v, auto&& result) { dense_product(few.matrix.fast, v, result); };
   const auto image = [&](const auto& v, const auto& bv, VectorXf& result) {
     newton_image(elements, v, bv, result);
   };
   const auto inverse = [&](const VectorXf& v, auto&& result) { few.factors->solve(elements, v, result); };
   const auto converges = [&](int most) {
-    const bool done =
-        few.gcr.solve(product, image, inverse, -asked.at.residual, {asked.tolerance, most}, step);
+    const bool done = few.gcr.solve(product, image, inverse, -asked.at.residual, asked.border,
+                                    {asked.tolerance, most}, step);
     state.products += few.gcr.products();
     return done;
   };
@@ -74,11 +74,11 @@ VectorXd NewtonMatrix::solve_few(const Asked& asked, TangentialOperators::FewEle
   if (few.factors->regular())
     converges(most_gcr_products); // its result has to do
   else
-    step.setConstant(elements_.unknowns(), std::numeric_limits<double>::quiet_NaN());
+    step.x.setConstant(elements_.unknowns(), std::numeric_limits<double>::quiet_NaN());
   return step;
 }
 
-bool NewtonMatrix::solve_on_box(const Asked& asked, TangentialState& state, VectorXd& step) const {
+bool NewtonMatrix::solve_on_box(const Asked& asked, TangentialState& state, BorderedSolution& step) const {
   const std::vector<NewtonElement> elements = newton_elements(asked.at, elements_.stiffness);
   const BoxJacobian jacobian(*box_, local_, elements, *scratch_);
   const auto product = [&](const auto& v, auto&& result) { jacobian.product(v, result); };
@@ -86,17 +86,17 @@ bool NewtonMatrix::solve_on_box(const Asked& asked, TangentialState& state, Vect
     newton_image(elements, v, bv, result);
   };
   const auto inverse = [&](const VectorXf& v, auto&& result) { jacobian.precondition(v, result); };
-  const bool enough = scratch_->gcr.solve(product, image, inverse, -asked.at.residual,
+  const bool enough = scratch_->gcr.solve(product, image, inverse, -asked.at.residual, asked.border,
                                           {asked.tolerance, most_gcr_products}, step);
   state.products += scratch_->gcr.products();
   return enough || elements_.unknowns() / 2 > most_dense_elements;
 }
 
-VectorXd NewtonMatrix::newton_step(const Linearisation& at, double tolerance, WorkBudget& work,
-                                   TangentialState& state) const {
+BorderedSolution NewtonMatrix::newton_step(const Linearisation& at, const Border& border, double tolerance,
+                                           WorkBudget& work, TangentialState& state) const {
   const int before = state.products;
-  const Asked asked{at, tolerance};
-  VectorXd step;
+  const Asked asked{at, border, tolerance};
+  BorderedSolution step;
   if (!few_ && solve_on_box(asked, state, step)) {
     state.solver = "Newton, GCR";
   } else {

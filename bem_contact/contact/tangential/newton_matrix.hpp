@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/contact/tangential/contact_elements.hpp"
+#include "bem_contact/contact/tangential/gcr.hpp"
 #include "bem_contact/contact/tangential/linearisation.hpp"
 
 #include <Eigen/Core>
@@ -18,21 +19,22 @@ public:
 
   /// result = B v
   void step(const Eigen::VectorXd& v, Eigen::VectorXd& result) const;
-  /// J^-1 (-residual) with J = 1 - M (1 - r B), up to `tolerance` of the residual. Not finite where J is
-  /// singular. Counts products and names the solver in `state`.
-  Eigen::VectorXd newton_step(const Linearisation& at, double tolerance, WorkBudget& work,
-                              TangentialState& state) const;
+  /// J^-1 (-residual) with J = 1 - M (1 - r B), up to `tolerance` of the residual; with a border, the same of
+  /// the larger system. Not finite where that is singular. Counts products and names the solver in `state`.
+  BorderedSolution newton_step(const Linearisation& at, const Border& border, double tolerance,
+                               WorkBudget& work, TangentialState& state) const;
 
 private:
   struct Asked {
     const Linearisation& at;
+    const Border& border;
     double tolerance;
   };
   double product_work() const;
   /// True if GCR converged, or if there are so many elements that its result has to do.
-  bool solve_on_box(const Asked& asked, TangentialState& state, Eigen::VectorXd& step) const;
-  Eigen::VectorXd solve_few(const Asked& asked, TangentialOperators::FewElements& few,
-                            TangentialState& state) const;
+  bool solve_on_box(const Asked& asked, TangentialState& state, BorderedSolution& step) const;
+  BorderedSolution solve_few(const Asked& asked, TangentialOperators::FewElements& few,
+                             TangentialState& state) const;
 
   const TangentialSystem& system_;
   const ContactElements& elements_;

@@ -132,6 +132,9 @@ BEM_CONTACT_TUNED(int, most_slow_steps, 3);
 /// relative to the creepage of the outer iteration before, if there was one. Chosen.
 BEM_CONTACT_TUNED(double, first_creepage_step, 10);
 BEM_CONTACT_TUNED(double, near_creepage_step, 1e-3);
+/// 1. Precision of the tractions under a unit of creepage at a solution, from which its compliance follows: a
+/// share of a stated error. Chosen.
+BEM_CONTACT_TUNED(double, compliance_precision, 0.01);
 /// Newton steps with creepages among the unknowns; then they are searched for. Chosen.
 BEM_CONTACT_TUNED(int, most_forced_steps, 20);
 /// Newton steps for two creepages, and how many of them may fail. Chosen.
