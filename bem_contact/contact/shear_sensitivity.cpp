@@ -13,6 +13,11 @@ namespace {
 using Eigen::VectorXd;
 using namespace contact;
 
+/// 1. Precision of the linear system at a solution, and times it is solved for what is left of it: each takes
+/// off four digits.
+constexpr double sensitivity_precision = 1e-9;
+constexpr int most_sensitivity_refinements = 12;
+
 VectorXd joined(const std::vector<double>& x, const std::vector<double>& s) {
   VectorXd out(x.size() + s.size());
   out << VectorXd::Map(x.data(), x.size()), VectorXd::Map(s.data(), s.size());

@@ -49,6 +49,9 @@ namespace {
 
 using Eigen::VectorXd;
 
+/// 1. What a rough creepage of free rolling may be off by, over its stated error.
+constexpr double free_creepage_share = 0.1;
+
 /// Adhesion or slip: the state whose equation the element fulfils better.
 ElementState friction_state(double slip, double slip_scale, double deviation, double traction_scale) {
   return slip / slip_scale <= deviation / traction_scale ? ElementState::adhesion : ElementState::slip;
@@ -351,7 +354,7 @@ std::optional<FreeCreepage> free_creepage(const ContactProblem& problem, const C
   // What is missing of the forces may be settling_factor times the tolerance; so may be what the tractions'
   // equations miss, and what a change of the pressure is worth.
   const double known =
-      known_share(problem, near) * contact::free_creepage_share / (3 * contact::settling_factor);
+      known_share(problem, near) * free_creepage_share / (3 * contact::settling_factor);
   SolverOptions options = given;
   options.tolerance = std::isfinite(known) ? std::clamp(known, given.tolerance, contact::loose_tolerance)
                                            : std::max(given.tolerance, contact::companion_tolerance);

@@ -3,7 +3,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/check/direct_sums.hpp"
 #include "bem_contact/contact/check/warm_friction.hpp"
-#include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/slip_step.hpp"
 
 #include <algorithm>
@@ -15,6 +14,15 @@ namespace bem_contact {
 namespace {
 
 using Fields = contact::ComponentFields;
+
+/// 1. The certificate's slip scale is at least this times pmax times the largest self number: displacements
+/// have rounding errors in proportion to that product. In steady rolling slip is the difference of
+/// displacements one element apart, which has less of them; shift_slip_rounding is for all other motions.
+constexpr double steady_slip_rounding = 1e-12;
+constexpr double shift_slip_rounding = 1e-9;
+/// 1. The slip scale is also at least this times the creepage found: where that cancels the prescribed rigid
+/// slip, the sum of both is only rounding.
+constexpr double creepage_rounding = 1e-9;
 
 double relative(double value, double to) {
   return value > 0 ? value / to : 0.0;
@@ -217,8 +225,8 @@ Slips slips_of(const ContactProblem& problem, const ContactResult& result, const
   const double pmax = *std::max_element(result.pn.begin(), result.pn.end());
   Slips out{
       {},
-      std::max((steady ? contact::steady_slip_rounding : contact::shift_slip_rounding) * pmax * self,
-               contact::creepage_rounding * std::hypot(result.creepage_x, result.creepage_s) * step.length),
+      std::max((steady ? steady_slip_rounding : shift_slip_rounding) * pmax * self,
+               creepage_rounding * std::hypot(result.creepage_x, result.creepage_s) * step.length),
       std::hypot(result.creepage_x, result.creepage_s) * step.length};
   for (const int i : elements) {
     const int is = i / mx;

@@ -16,6 +16,11 @@
 namespace bem_contact::contact {
 namespace {
 
+/// Direct sums confirm a transform at an element of each row in contact and at so many all over the grid, and
+/// agree with it so closely (relative).
+constexpr int confirmed_elsewhere = 30;
+constexpr double agreement_of_sums = 1e-9;
+
 /// An element with tractions.
 struct LoadedElement {
   int column, row;

@@ -7,6 +7,13 @@
 
 namespace bem_contact::contact {
 
+namespace {
+
+/// 1. The bracket is bisected after a step longer than this share of the step before the last. Chosen.
+constexpr double slow_balance_step = 0.5;
+
+} // namespace
+
 double ForceBalance::start(double pressed, double borne) {
   least_slope_ = least_start_slope;
   const double slope = std::max(borne / pressed, least_slope_);

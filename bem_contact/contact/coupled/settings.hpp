@@ -5,22 +5,7 @@
 /// Tuned numbers of contact/coupled. For the words see contact/settings.hpp.
 namespace bem_contact::contact {
 
-// --- friction that falls with slip velocity or temperature ---
-
-/// Most iterations between mu and slip. A locomotive at 10 m/s (theory/contact.md, section 4) takes 13 Newton
-/// steps in place of 4 where mu falls over 1250 mm/s, 80 over 10 mm/s, and may not settle over 5 mm/s and
-/// less.
-BEM_CONTACT_TUNED(int, most_friction_changes, 100);
-/// 1. Anderson's method takes no mu below this share of mu(0). Chosen: real laws stay above a tenth.
-BEM_CONTACT_TUNED(double, least_friction_factor, 1e-3);
-
 // --- outer iterations ---
-
-/// Outer iterations. Each of these finds anew which elements slip at the kinetic coefficient; later ones add
-/// to those of the former one. With every element that starts or ends to slip the forces jump, and where the
-/// prescribed force lies within a jump no iteration settles. Contacts that settle take 8 at most (measured on
-/// 34).
-BEM_CONTACT_TUNED(int, most_fresh_slips, 10);
 
 /// 1. Influence numbers below this share of the largest self number are rounding.
 BEM_CONTACT_TUNED(double, coupling_rounding, 1e-13);
@@ -33,9 +18,6 @@ BEM_CONTACT_TUNED(double, tolerance_of_change, 0.1);
 /// 1. A tolerance below this times the one asked for becomes that one: this outer iteration may be the last,
 /// and what is left takes Newton's method hardly a step.
 BEM_CONTACT_TUNED(double, nearly_asked, 30);
-/// 1. If the pressure carries more than the prescribed force, the tolerance is multiplied by prescribed force
-/// over pressure force, but at least by this: about 1 / largest_force_ratio.
-BEM_CONTACT_TUNED(double, least_force_share, 0.03);
 /// 1. From one outer iteration to the next the pressure force changes at most by this factor. Chosen.
 BEM_CONTACT_TUNED(double, largest_force_step, 4);
 /// 1. The largest pressure force that is tried, over the prescribed force. If it does not carry the force
@@ -51,10 +33,6 @@ BEM_CONTACT_TUNED(double, least_start_slope, 0.4);
 BEM_CONTACT_TUNED(double, noise_of_sums, 1e-3);
 /// 1. Two pressure forces give a secant if they differ by more than this share of that noise. Chosen.
 BEM_CONTACT_TUNED(double, least_secant_step, 0.1);
-/// 1. The bracket is bisected after a step longer than this share of the step before the last. Chosen.
-BEM_CONTACT_TUNED(double, slow_balance_step, 0.5);
-/// Pressure forces that are tried one by one where the accelerated iteration did not settle. Chosen.
-BEM_CONTACT_TUNED(int, most_force_trials, 60);
 /// Former iterations that Anderson acceleration uses. Chosen.
 BEM_CONTACT_TUNED(int, anderson_memory, 5);
 /// 1. Anderson acceleration starts anew if the residual exceeds anderson_restart times the best one. Its
@@ -63,18 +41,11 @@ BEM_CONTACT_TUNED(double, anderson_restart, 5);
 BEM_CONTACT_TUNED(double, anderson_short_step, 0.3);
 /// 1. Shear tractions that follow the pressure grow at most by this factor. Chosen.
 BEM_CONTACT_TUNED(double, largest_shear_growth, 10);
-/// 1. Slip below this share of the largest pressure times the largest self number is rounding. In a shift or
-/// a transient rolling step the limit is shift_slip_floor times as high. There slip is not the difference of
-/// displacements one element apart, which would have less rounding.
-BEM_CONTACT_TUNED(double, slip_rounding, 1e-12);
-BEM_CONTACT_TUNED(double, shift_slip_floor, 1e3);
 /// Elements of the grid, and across it. Problems with fewer elements are solved as quickly without a start as
 /// from a solution on larger elements.
 BEM_CONTACT_TUNED(int, few_elements, 800);
 BEM_CONTACT_TUNED(int, few_across, 16);
 /// 1. Tolerance on the larger elements of a start: their own error is larger.
 BEM_CONTACT_TUNED(double, start_tolerance, 1e-3);
-/// Newton steps on the larger elements of a start. Chosen: a start that takes more saves nothing.
-BEM_CONTACT_TUNED(int, start_newton_steps, 30);
 
 } // namespace bem_contact::contact

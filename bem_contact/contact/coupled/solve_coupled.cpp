@@ -22,6 +22,9 @@ namespace {
 
 using Eigen::VectorXd;
 
+/// Pressure forces that are tried one by one where the accelerated iteration did not settle. Chosen.
+constexpr int most_force_trials = 60;
+
 /// Between the parts of a remark.
 constexpr std::string_view separator = "; ";
 

@@ -11,6 +11,9 @@ namespace {
 
 using Eigen::VectorXd;
 
+/// Newton steps on the larger elements of a start. Chosen: a start that takes more saves nothing.
+constexpr int start_newton_steps = 30;
+
 void set_active(NormalState& normal) {
   normal.active.resize(normal.p.size());
   for (Eigen::Index i = 0; i < normal.p.size(); ++i)

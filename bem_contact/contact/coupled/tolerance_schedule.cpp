@@ -7,6 +7,14 @@
 
 namespace bem_contact::contact {
 
+namespace {
+
+/// 1. If the pressure carries more than the prescribed force, the tolerance is multiplied by prescribed force
+/// over pressure force, but at least by this: about 1 / largest_force_ratio.
+constexpr double least_force_share = 0.03;
+
+} // namespace
+
 ToleranceSchedule::ToleranceSchedule(double asked, bool loose)
     : asked_(asked), now_(loose ? std::max(asked, loose_tolerance) : asked) {}
 

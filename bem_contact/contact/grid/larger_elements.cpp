@@ -1,7 +1,6 @@
 #include "bem_contact/contact/grid/larger_elements.hpp"
 
 #include "bem_contact/base/parallel.hpp"
-#include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/slip_step.hpp"
 
 #include <algorithm>
@@ -12,6 +11,10 @@
 
 namespace bem_contact::contact {
 namespace {
+
+/// 1. An undeformed distance beyond this times the largest in contact means that there is no opposite
+/// surface. Chosen: real distances next to a contact are below it, missing surfaces are far above it.
+constexpr double distance_without_surface = 10;
 
 ContactProblem same_question(const ContactQuestion& question) {
   ContactProblem coarse;

@@ -12,6 +12,11 @@ namespace {
 
 using Eigen::VectorXd;
 
+/// 1. Tension below this share of the largest pressure, and penetration likewise, is rounding.
+constexpr double rounding_of_sets = 1e-11;
+/// Steps without fewer changes than before; then the sets cycle. Chosen.
+constexpr int most_steps_without_progress = 12;
+
 std::vector<int> indices_of(const std::vector<char>& active) {
   std::vector<int> list;
   for (std::size_t i = 0; i < active.size(); ++i)

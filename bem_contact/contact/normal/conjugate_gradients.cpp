@@ -12,6 +12,15 @@ namespace {
 
 using Eigen::VectorXd;
 
+/// Runs in single precision. Chosen: each gains up to four digits, so that a few reach double precision.
+constexpr int most_cg_runs = 12;
+/// 1. A run has to reduce the residual at least to this share. Chosen.
+constexpr double cg_least_reduction = 0.5;
+/// Products that a run may take beyond the number of elements, after which exact arithmetic would be done.
+constexpr int extra_cg_products = 50;
+/// Units of work of the preconditioner, an element (measured).
+constexpr double cg_preconditioner_work = 0.3;
+
 double largest_residual(const NormalBoxVectors& v) {
   double worst = 0;
   for (const int l : v.local)

@@ -25,30 +25,15 @@ BEM_CONTACT_TUNED(double, warm_normal_precision, 1e-4);
 /// 1. Relative precision of the linear system after all elements have entered or left the contact. If only a
 /// share of them has, this times that share. Chosen.
 BEM_CONTACT_TUNED(double, precision_of_changes, 1e-2);
-/// 1. Tension below this share of the largest pressure, and penetration likewise, is rounding.
-BEM_CONTACT_TUNED(double, rounding_of_sets, 1e-11);
-/// Steps without fewer changes than before; then the sets cycle. Chosen.
-BEM_CONTACT_TUNED(int, most_steps_without_progress, 12);
 /// Bisections of the first approach: 2^-30 of the bracket is far below what the first guess needs.
 BEM_CONTACT_TUNED(int, first_guess_bisections, 30);
 /// 1. Rows with a smaller cos(delta) carry no vertical force: the search for a first approach leaves them
 /// out. validate() refuses a prescribed force if all rows are like that.
 BEM_CONTACT_TUNED(double, least_cosine, 1e-6);
-/// Runs in single precision. Chosen: each gains up to four digits, so that a few reach double precision.
-BEM_CONTACT_TUNED(int, most_cg_runs, 12);
 /// 1. How far one run in single precision brings the residual down for certain.
 BEM_CONTACT_TUNED(double, cg_single_run, 1e-4);
-/// 1. A run has to reduce the residual at least to this share. Chosen.
-BEM_CONTACT_TUNED(double, cg_least_reduction, 0.5);
-/// Products that a run may take beyond the number of elements, after which exact arithmetic would be done.
-BEM_CONTACT_TUNED(int, extra_cg_products, 50);
-/// Units of work of the preconditioner, an element (measured).
-BEM_CONTACT_TUNED(double, cg_preconditioner_work, 0.3);
 /// 1. Fixed step of MPRGP times the norm; it must be below 2 (Dostal, Schoeberl 2005, give 1.9 and more).
 BEM_CONTACT_TUNED(double, mprgp_step, 1.9);
-/// Products that MPRGP may take: this and so many an element. Chosen.
-BEM_CONTACT_TUNED(int, mprgp_products, 2000);
-BEM_CONTACT_TUNED(int, mprgp_products_per_element, 20);
 /// 1. Precision of MPRGP relative to the tolerance asked for, and its limit by rounding. Chosen.
 BEM_CONTACT_TUNED(double, mprgp_precision, 1e-3);
 BEM_CONTACT_TUNED(double, finest_mprgp_precision, 1e-12);
@@ -56,8 +41,5 @@ BEM_CONTACT_TUNED(double, finest_mprgp_precision, 1e-12);
 BEM_CONTACT_TUNED(double, force_precision, 0.1);
 /// 1. The first step of the bracket, as a share of the approach of one element under the whole force. Chosen.
 BEM_CONTACT_TUNED(double, approach_bracket_start, 0.01);
-/// Doublings of that step, and steps inside the bracket. Chosen: far more than are ever needed.
-BEM_CONTACT_TUNED(int, most_bracket_doublings, 60);
-BEM_CONTACT_TUNED(int, most_approach_steps, 100);
 
 } // namespace bem_contact::contact

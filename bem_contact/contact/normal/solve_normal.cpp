@@ -15,6 +15,13 @@ namespace {
 
 using Eigen::VectorXd;
 
+/// Products that MPRGP may take: this and so many an element. Chosen.
+constexpr int mprgp_products = 2000;
+constexpr int mprgp_products_per_element = 20;
+/// Doublings of that step, and steps inside the bracket. Chosen: far more than are ever needed.
+constexpr int most_bracket_doublings = 60;
+constexpr int most_approach_steps = 100;
+
 /// The result where the pressure has nothing to carry.
 void carry_nothing(const NormalLoad& load, Eigen::Index n, NormalState& state) {
   state.active.assign(n, 0);

@@ -8,6 +8,11 @@
 namespace bem_contact::contact {
 namespace {
 
+/// Bytes of spectra that are transformed along s at once: they stay in a second-level cache.
+constexpr int bytes_in_cache = 1 << 19;
+/// Frequencies along x that rows and columns exchange together, at least: 8 complex floats are a cache line.
+constexpr int least_together = 8;
+
 template <class Real> typename Fftw<Real>::Complex* raw(Real* p) {
   return reinterpret_cast<typename Fftw<Real>::Complex*>(p);
 }

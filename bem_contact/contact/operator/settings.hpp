@@ -16,10 +16,6 @@ BEM_CONTACT_TUNED(int, periodic_elements, 4);
 /// 1. Eigenvalues of the preconditioner are at least this share of the largest: the ripples of the truncated
 /// kernel must not change a sign. Chosen.
 BEM_CONTACT_TUNED(float, least_eigenvalue, 1e-4f);
-/// Bytes of spectra that are transformed along s at once: they stay in a second-level cache.
-BEM_CONTACT_TUNED(int, bytes_in_cache, 1 << 19);
-/// Frequencies along x that rows and columns exchange together, at least: 8 complex floats are a cache line.
-BEM_CONTACT_TUNED(int, least_together, 8);
 /// Elements. Products, spectra and sums over fewer stay on one thread. Threads are for contacts of some 5,000
 /// elements and more (tools/BENCHMARKS.md, section 10). With 2,056 in contact a second thread gained nothing
 /// (section 2).
@@ -30,8 +26,6 @@ BEM_CONTACT_TUNED(int, most_transforms, 32);
 /// not: measured in single precision on AVX2.
 BEM_CONTACT_TUNED(double, quick_transform, 0.8);
 BEM_CONTACT_TUNED(double, slow_transform, 2.0);
-/// ns. Time of a strip's product for each value of a line, beside its transforms: 30 rows on AVX2.
-BEM_CONTACT_TUNED(double, strip_product, 1.2);
 /// Steps of the power iteration for the norm of an operator, and the margin on its result: its largest
 /// eigenvalue stands clear of the others, so that 20 steps are within 20 %. Chosen.
 BEM_CONTACT_TUNED(int, power_iterations, 20);

@@ -1,6 +1,5 @@
 #include "bem_contact/contact/tangential/contact_matrix.hpp"
 
-#include "bem_contact/contact/tangential/settings.hpp"
 #include "bem_contact/contact/tangential/step_box.hpp"
 
 #include <cstdlib>
@@ -11,6 +10,9 @@ namespace bem_contact::contact {
 using Eigen::MatrixXd;
 
 namespace {
+
+/// 1. With a larger share of new elements that matrix is made anew. Chosen.
+constexpr double most_new_elements = 0.15;
 
 /// Elements that follow each other in both lists.
 struct Run {

@@ -1,13 +1,19 @@
 #include "bem_contact/contact/tangential/creepage_forces.hpp"
 
 #include "bem_contact/contact/tangential/kinetic_friction.hpp"
-#include "bem_contact/contact/tangential/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace bem_contact::contact {
+
+namespace {
+
+/// Directions in which the capacity of friction is compared with the force: 0.5 degrees apart. Chosen.
+constexpr int capacity_directions = 720;
+
+} // namespace
 
 using Eigen::Vector2d;
 using Eigen::VectorXd;

@@ -18,6 +18,26 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
+/// 1. A force this close to the capacity is full slip: rounding.
+constexpr double rounding_of_capacity = 1e-9;
+/// Tangential problems that the search for one creepage may solve. Chosen.
+constexpr int most_creepage_calls = 120;
+/// 1 (shift: mm). Where everything slips no force depends on the creepage. Chosen: the search ends here.
+constexpr double farthest_creepage = 1e12;
+/// 1. A bracket narrower than this share of the creepage holds a jump of the force: far below what tells
+/// adhesion from slip.
+constexpr double creepage_jump = 1e-11;
+/// Newton steps for two creepages, and how many of them may fail. Chosen.
+constexpr int most_creepage_newton = 40;
+constexpr int most_creepage_stops = 4;
+/// 1. Difference of the finite differences, relative to the creepage. Chosen.
+constexpr double creepage_difference = 1e-3;
+/// 1. The longest of these steps, relative to the creepage. Chosen.
+constexpr double longest_creepage_step = 2;
+/// Lengths that the line search tries, and by how much the missing force has to decrease. Chosen.
+constexpr int creepage_halvings = 10;
+constexpr double creepage_decrease = 1e-3;
+
 /// One unknown: secants until the force is bracketed, then Illinois' rule, with bisection where that is slow.
 /// When friction is almost zero, the force jumps at some creepage and no creepage gives the prescribed force.
 /// Then the tractions are interpolated between both sides of the jump. The last call of `missing_at` is the

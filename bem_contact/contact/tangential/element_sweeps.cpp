@@ -38,6 +38,14 @@ Vector2d solve_element(const Matrix2d& b, const Vector2d& c, double bound) {
 
 namespace {
 
+/// 1 / stiffness. Damping of the first sweep over all elements, and where it has become too slow to go on.
+/// Undamped sweeps diverge; more is needed on finer grids. Chosen.
+constexpr double first_element_damping = 3;
+constexpr double largest_element_damping = 200;
+/// Sweeps after which the damping is doubled unless this share or less of the violation is left. Chosen.
+constexpr int sweeps_per_damping = 40;
+constexpr double sweeps_enough = 0.3;
+
 /// The tractions during the sweeps; only the elements in contact carry.
 class Sweeps {
 public:

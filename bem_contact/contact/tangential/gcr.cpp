@@ -14,6 +14,9 @@ using Eigen::VectorXd;
 
 namespace {
 
+/// Directions for which memory is taken at first; it grows where that is not enough. Chosen.
+constexpr int first_directions = 32;
+
 constexpr int lanes = 16; ///< sums side by side, for wide registers
 /// 1. Where less is left of an image it is made orthogonal once more. Single precision then still has five
 /// digits, one more than any system is solved to.

@@ -19,6 +19,12 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// 1. Precision of the tractions under a unit of creepage at a solution, from which its compliance follows: a
+/// share of a stated error. Chosen.
+constexpr double compliance_precision = 0.01;
+/// Newton steps with creepages among the unknowns; then they are searched for. Chosen.
+constexpr int most_forced_steps = 20;
+
 class Newton {
 public:
   Newton(const TangentialSystem& system, const TangentialTask& task, WorkBudget& work, const VectorXd& start,

@@ -9,6 +9,16 @@
 
 namespace bem_contact::contact {
 
+namespace {
+
+/// Elements in contact. Above this the dense matrix (432 MB here, in both precisions) is not even a
+/// fall-back.
+constexpr int most_dense_elements = 3000;
+/// Products of GCR. Chosen: where it needs more, LU factors are as fast.
+constexpr int most_gcr_products = 250;
+
+} // namespace
+
 using Eigen::VectorXd;
 using Eigen::VectorXf;
 

@@ -3,7 +3,6 @@
 #include "bem_contact/contact/operator/norm_bound.hpp"
 #include "bem_contact/contact/tangential/element_sweeps.hpp"
 #include "bem_contact/contact/tangential/newton.hpp"
-#include "bem_contact/contact/tangential/settings.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -13,6 +12,14 @@ namespace bem_contact::contact {
 namespace {
 
 using Eigen::VectorXd;
+
+/// Steps of the projected gradients for one rolling step or shift. Chosen.
+constexpr int most_gradient_steps = 1000;
+/// 1. Their precision relative to the largest bound, for a shift and for each of many rolling steps. Chosen.
+constexpr double shift_precision = 1e-12;
+constexpr double rolling_precision = 1e-10;
+/// Lengths of the grid to roll on. Chosen: transients decay within a few lengths of the contact.
+constexpr int rolling_on_lengths = 6;
 
 /// Into the friction discs; zero outside the contact.
 VectorXd project(const TangentialTask& task, const VectorXd& p) {
