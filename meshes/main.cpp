@@ -68,9 +68,9 @@ int run(const std::string& body_file, const std::string& output, bool solid, boo
     fmt::print(stderr, "warning: {}\n", warning);
   std::optional<meshes::SolidMesh> whole;
   const meshes::QuadMesh mesh = [&] {
-    const meshes::Heartbeat heartbeat(
-        "meshing " + body.body.name,
-        std::chrono::milliseconds(static_cast<long>(1000 * sign_of_life)), std::cerr);
+    const meshes::Heartbeat heartbeat("meshing " + body.body.name,
+                                      std::chrono::milliseconds(static_cast<long>(1000 * sign_of_life)),
+                                      std::cerr);
     if (!solid)
       return meshes::mesh_section(body);
     whole = meshes::mesh_solid(body);

@@ -2,9 +2,9 @@
 
 /// Tuned numbers: limits, tolerances and sizes that somebody chose, and that could be chosen otherwise.
 ///
-/// A room is a folder of bem_contact, such as contact or geometry. The numbers of a room that change results, or
-/// what they cost, and those that several sources use stand in its settings.hpp, one entry each. A rounding
-/// floor, or a limit that hardly anything reaches, stands at its only use, with the same comment.
+/// A room is a folder of bem_contact, such as contact or geometry. The numbers of a room that change results,
+/// or what they cost, and those that several sources use stand in its settings.hpp, one entry each. A
+/// rounding floor, or a limit that hardly anything reaches, stands at its only use, with the same comment.
 ///
 ///     /// mm. Two minima with a lower barrier between them are one: a load closes a thousand times as much.
 ///     BEM_CONTACT_TUNED(double, flat_distance, 2e-5);

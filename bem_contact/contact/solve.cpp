@@ -353,8 +353,7 @@ std::optional<FreeCreepage> free_creepage(const ContactProblem& problem, const C
   contact::ContactOperators& operators = given.workspace ? given.workspace->of(problem) : only_now;
   // What is missing of the forces may be settling_factor times the tolerance; so may be what the tractions'
   // equations miss, and what a change of the pressure is worth.
-  const double known =
-      known_share(problem, near) * free_creepage_share / (3 * contact::settling_factor);
+  const double known = known_share(problem, near) * free_creepage_share / (3 * contact::settling_factor);
   SolverOptions options = given;
   options.tolerance = std::isfinite(known) ? std::clamp(known, given.tolerance, contact::loose_tolerance)
                                            : std::max(given.tolerance, contact::companion_tolerance);

@@ -64,9 +64,8 @@ void MachineGroup::broadcast(std::span<std::byte> bytes) const {
 std::span<std::byte> MachineGroup::memory(std::size_t bytes) {
   // MPI's shared memory is a file there, and one that does not fit ends all processes without a word.
   struct statvfs room {};
-  int fits =
-      statvfs("/dev/shm", &room) != 0 || static_cast<double>(room.f_bavail * room.f_frsize) >
-                                             shared_memory_reserve * static_cast<double>(bytes);
+  int fits = statvfs("/dev/shm", &room) != 0 || static_cast<double>(room.f_bavail * room.f_frsize) >
+                                                    shared_memory_reserve * static_cast<double>(bytes);
   MPI_Bcast(&fits, 1, MPI_INT, 0, impl_->group);
   if (!fits)
     return {};

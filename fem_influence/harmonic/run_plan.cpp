@@ -21,8 +21,7 @@ constexpr double largest_wavenumber_times_dx = 10.0;
 } // namespace
 
 std::vector<double> wavenumber_samples(double half_period, double shortest_dx, int samples_per_decade) {
-  const double unit = std::numbers::pi / half_period,
-               largest = largest_wavenumber_times_dx / shortest_dx;
+  const double unit = std::numbers::pi / half_period, largest = largest_wavenumber_times_dx / shortest_dx;
   std::vector<double> k{0};
   for (int n = 1; n <= settings::exact_harmonics; ++n)
     k.push_back(n * unit);

@@ -59,8 +59,7 @@ public:
     for (int m = 0; m < a_.offsets; ++m)
       for (int I = 0; I < reference_.rows; ++I) {
         const Element e = element_at(a_.stations[static_cast<std::size_t>(I)], m * a_.dx, radius_);
-        if (const double distance = (e.position - position_).norm();
-            distance <= far_band * (1 + 1e-9))
+        if (const double distance = (e.position - position_).norm(); distance <= far_band * (1 + 1e-9))
           visit(m, I, e, distance);
       }
   }

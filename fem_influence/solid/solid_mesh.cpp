@@ -64,8 +64,7 @@ using Face = dealii::Triangulation<3>::active_face_iterator;
 void require_on_profile(const Face& face, const ContactSurface& surface, const std::string& name) {
   for (const auto v : face->vertex_indices()) {
     const Vector3 p = plain(face->vertex(v)), on = surface.position(surface.nearest(p));
-    if (const double off = face->vertex(v).distance(point(on));
-        off > vertex_off_profile * face->diameter())
+    if (const double off = face->vertex(v).distance(point(on)); off > vertex_off_profile * face->diameter())
       throw InputError(
           "The mesh '" + name + "' does not fit the profile '" + surface.curve().name() + "'",
           fmt::format("a vertex of the group 'contact' at ({:g}, {:g}, {:g}) lies {:g} mm off it", p[0], p[1],

@@ -267,7 +267,7 @@ class Files(Hostile):
 class Storage(Hostile):
     """HDF5 files that somebody damaged or made to do harm, all read in this process: a crash ends it."""
 
-    LONG = "halfspace/p_n"
+    LONG = "p_n"
 
     @classmethod
     def setUpClass(cls):

@@ -223,11 +223,10 @@ Slips slips_of(const ContactProblem& problem, const ContactResult& result, const
   for (int row = 0; row < problem.grid.ms; ++row)
     self = std::max(self, problem.numbers.at(0, row, component_n, row, component_n));
   const double pmax = *std::max_element(result.pn.begin(), result.pn.end());
-  Slips out{
-      {},
-      std::max((steady ? steady_slip_rounding : shift_slip_rounding) * pmax * self,
-               creepage_rounding * std::hypot(result.creepage_x, result.creepage_s) * step.length),
-      std::hypot(result.creepage_x, result.creepage_s) * step.length};
+  Slips out{{},
+            std::max((steady ? steady_slip_rounding : shift_slip_rounding) * pmax * self,
+                     creepage_rounding * std::hypot(result.creepage_x, result.creepage_s) * step.length),
+            std::hypot(result.creepage_x, result.creepage_s) * step.length};
   for (const int i : elements) {
     const int is = i / mx;
     const std::size_t at = static_cast<std::size_t>(is) * columns + i % mx;

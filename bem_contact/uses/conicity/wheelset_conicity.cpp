@@ -51,8 +51,8 @@ void warn_of_negative_cone(std::span<const RadiusDifference> function) {
   const std::optional<double> middle = middle_of_motion(function);
   if (!middle)
     return;
-  const double rise = difference_at(function, *middle + middle_reach) -
-                      difference_at(function, *middle - middle_reach);
+  const double rise =
+      difference_at(function, *middle + middle_reach) - difference_at(function, *middle - middle_reach);
   const double tan_gamma = rise / (4 * middle_reach);
   if (tan_gamma < least_negative_cone)
     messages()->warn("the cone is negative in the middle: at a lateral displacement of {:.2f} mm tan gamma "
@@ -112,8 +112,7 @@ WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplit
         "are allowed",
         "Give both in mm, as 10 and 1.");
   WheelsetConicity out{.lengths = {wheelset.contact_distance(), wheelset.position.wheel_radius},
-                       .stands =
-                           rolling_radius_difference(wheelset, largest + beyond_amplitude, stop),
+                       .stands = rolling_radius_difference(wheelset, largest + beyond_amplitude, stop),
                        .values = {}};
   std::vector<RadiusDifference> function;
   for (const WheelsetStand& s : out.stands)
