@@ -43,8 +43,8 @@ class FlatBlock(unittest.TestCase):
         contact_modulus = young / (2 * (1 - poisson**2))
         a = (0.75 * FORCE * RADIUS / contact_modulus) ** (1 / 3)
         pmax = 1.5 * FORCE / (math.pi * a**2)
-        print(f"pmax: Hertz {pmax:.1f}, flat block {fem['pmax']:.1f}, half-space {halfspace['pmax']:.1f} MPa; "
-              f"a = {a:.2f} mm, area {math.pi * a * a:.2f}, {fem['area']:.2f}, {halfspace['area']:.2f} mm2")
+        print(f"pmax: Hertz {pmax:.1f}, flat block {fem['quantities']['pmax']:.1f}, half-space {halfspace['quantities']['pmax']:.1f} MPa; "
+              f"a = {a:.2f} mm, area {math.pi * a * a:.2f}, {fem['quantities']['area']:.2f}, {halfspace['quantities']['area']:.2f} mm2")
         self.assertTrue(fem["certified"])
         self.assertAlmostEqual(fem["quantities"]["pmax"], pmax, delta=0.01 * pmax)
         self.assertAlmostEqual(fem["quantities"]["pmax"], halfspace["quantities"]["pmax"], delta=0.005 * pmax)

@@ -83,7 +83,7 @@ class OwnMesh(unittest.TestCase):
         contact_modulus = 2 * 82000 * 1.28 / (2 * (1 - 0.28**2))
         a = (0.75 * FORCE * RADIUS / contact_modulus) ** (1 / 3)
         pmax = 1.5 * FORCE / (math.pi * a**2)
-        print(f"pmax: Hertz {pmax:.1f}, own mesh {fem['pmax']:.1f}, half-space {halfspace['pmax']:.1f} MPa")
+        print(f"pmax: Hertz {pmax:.1f}, own mesh {fem['quantities']['pmax']:.1f}, half-space {halfspace['quantities']['pmax']:.1f} MPa")
         self.assertTrue(fem["certified"])
         self.assertAlmostEqual(fem["quantities"]["pmax"], halfspace["quantities"]["pmax"], delta=0.005 * pmax)
         self.assertAlmostEqual(fem["quantities"]["pmax"], pmax, delta=0.05 * pmax)

@@ -88,7 +88,7 @@ def changes(before, after, friction):
     carried = sum(p["Fn"] for p in before.patches)
     out = {"Fy": abs(after.Fy - before.Fy) / carried, "Fz": abs(after.Fz - before.Fz) / carried,
            "pmax": abs(after.pmax / before.pmax - 1),
-           "approach": abs(after.approach - before.approach) / max(p["approach"] for p in before.patches)}
+           "approach": abs(after.approach - before.approach) / max(p["overlap"] for p in before.patches)}
     if before.p_x.any() and friction > 0:
         out["Fx"] = abs(after.Fx - before.Fx) / (friction * carried)
     return out

@@ -41,7 +41,7 @@ def scales_of(record):
 def scale_of(name, value, scales):
     last = name.split()[-1].removesuffix("_error")  # an error has the scale of what it is the error of
     kind = ("force" if last in FORCES else "moment" if last in MOMENTS else "creepage" if last in ("xi", "eta")
-            else "power" if last == "T_gamma" else "pressure" if last == "pmax" else "approach" if last == "approach"
+            else "power" if last == "T_gamma" else "pressure" if last == "pmax" else "approach" if last in ("approach", "overlap")
             else "length" if last in LENGTHS else None)
     if kind:
         return scales[kind]
