@@ -14,9 +14,11 @@ namespace {
 /// digits as a double has.
 constexpr int most_digits = 10;
 
-/// Digits before the decimal point; 0 and less where there are zeros after it. 1 of zero.
+/// Digits before the decimal point; 0 and less where there are zeros after it. 1 of zero and of what is not
+/// finite.
 int digits_before(double value) {
-  return value == 0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+  return value == 0 || !std::isfinite(value) ? 1
+                                             : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
 }
 
 /// Decimals of two digits of an error, which may be negative.
