@@ -2,6 +2,7 @@
 
 #include "bem_contact/record/record.hpp"
 
+#include <cstddef>
 #include <iosfwd>
 #include <string>
 #include <string_view>
@@ -13,6 +14,9 @@ namespace bem_contact::record {
 std::string csv_name(std::string_view name, std::string_view unit);
 /// A number with so many digits; an empty cell for nan.
 std::string csv_cell(double value, int digits);
+/// The heads of all columns, and the cells of one row, with commas between them.
+std::string csv_head(const Table& table);
+std::string csv_line(const Table& table, std::size_t row, int digits = 17);
 /// Head and rows. `digits`: at most so many of each number.
 void write_csv(std::ostream& out, const Table& table, int digits = 17);
 

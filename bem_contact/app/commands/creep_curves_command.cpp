@@ -19,7 +19,6 @@
 #include <memory>
 #include <ostream>
 #include <spdlog/spdlog.h>
-#include <sstream>
 
 namespace bem_contact::app {
 
@@ -117,19 +116,13 @@ std::string curves_text(const CreepCurves& c) {
 
 /// All curves below each other: which creepage varied, the creepage, and the columns of a curve.
 void write_curves(std::ostream& out, const CreepCurves& c) {
-  const char* head = "varied,";
   for (const CreepCurve& curve : c.curves) {
-    std::ostringstream lines;
     record::Table table = table_of(curve);
     table.columns.front().unit = "1"; // that of phi is another
-    record::write_csv(lines, table);
-    std::istringstream in(lines.str());
-    std::string line;
-    std::getline(in, line);
-    if (*head)
-      out << std::exchange(head, "") << line << '\n';
-    while (std::getline(in, line))
-      out << name_of(curve.which) << ',' << line << '\n';
+    if (&curve == &c.curves.front())
+      out << "varied," << record::csv_head(table) << '\n';
+    for (std::size_t row = 0; row < table.size(); ++row)
+      out << name_of(curve.which) << ',' << record::csv_line(table, row) << '\n';
   }
 }
 
