@@ -65,7 +65,8 @@ void prolong(const ContactGrid& from, const double* coarse, const ContactGrid& t
 void start_from_larger_elements(const ContactProblem& problem, const SolverOptions& options,
                                 ContactOperators& operators, WorkBudget& work, Solution& solution) {
   const ContactGrid& grid = problem.grid;
-  if (problem.plane_strain() || grid.size() < few_elements || std::min(grid.mx, grid.ms) < few_across)
+  if (problem.plane_strain() || grid.size() < least_elements_for_rough_start ||
+      std::min(grid.mx, grid.ms) < few_across)
     return;
   ContactProblem coarse = starting_problem(problem);
   const bool only_normal = !(coarse.tangential && problem.has_friction());
@@ -85,6 +86,10 @@ void start_from_larger_elements(const ContactProblem& problem, const SolverOptio
   const int n = grid.size(), n_coarse = coarse.grid.size();
   solution.normal.p.resize(n);
   prolong(coarse.grid, known.normal.p.data(), grid, solution.normal.p.data());
+  if (known.normal.unit.size() == n_coarse) {
+    solution.normal.unit.resize(n);
+    prolong(coarse.grid, known.normal.unit.data(), grid, solution.normal.unit.data());
+  }
   set_active(solution.normal);
   solution.normal.approach = known.normal.approach;
   if (known.shear.p.allFinite())

@@ -102,7 +102,7 @@ ActiveSet::ActiveSet(const NormalSystem& system, const VectorXd& gap, const Norm
     state.p.setZero(gap.size());
   const VectorXd zero = VectorXd::Zero(gap.size());
   pressure_ = {state.p, zero, {}};
-  unit_ = {zero, zero, {}};
+  unit_ = {state.unit.size() == gap.size() ? state.unit : zero, zero, {}};
 }
 
 /// Solves for the pressure at the present approach and, by force, for the unit response.
@@ -193,6 +193,7 @@ bool ActiveSet::run() {
     }
     const double off = balance_force(direct);
     state_.p = pressure_.p;
+    state_.unit = unit_.p;
     if (direct)
       pressure_.u = system_.apply_directly(state_.p, work_);
     const double largest_u = largest_on(list, pressure_.u);

@@ -46,6 +46,7 @@ struct NormalState {
   Eigen::VectorXd p; ///< MPa; zero outside the contact
   Eigen::VectorXd u; ///< (A p)_n, mm
   double approach = 0;
+  Eigen::VectorXd unit; ///< MPa/mm: by how much p grows with the approach; a start of the next solution
   std::vector<char> active;
   int iterations = 0;
   int products = 0; ///< of conjugate gradients
