@@ -36,8 +36,17 @@ void Schema::add_key(std::string path, SchemaTarget target, std::string doc, Key
 }
 
 const Schema::Key* Schema::find(std::string_view path) const {
-  const auto key = std::find_if(keys_.begin(), keys_.end(), [&](const Key& k) { return k.path == path; });
+  const auto key = std::find_if(keys_.begin(), keys_.end(), [&](const Key& k) {
+    return k.path == path || (!k.rule.formerly.empty() && k.rule.formerly == path);
+  });
   return key == keys_.end() ? nullptr : &*key;
+}
+
+std::vector<std::string> Schema::former_names() const {
+  std::vector<std::string> out;
+  for (const std::string& path : formerly_)
+    out.push_back(fmt::format("{} is now called {}", find(path)->rule.formerly, path));
+  return out;
 }
 
 SchemaValue Schema::number_for(const std::string& path, double number) const {

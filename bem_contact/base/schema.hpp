@@ -30,6 +30,7 @@ struct KeyRule {
   bool zero_is_none = false;           ///< of an optional number: 0 in the file means the same as no key
   /// print() writes the key as a comment. If a file does not have the key, other keys determine its value.
   bool commented_out = false;
+  std::string formerly = {}; ///< path of the key in earlier versions; it is still read
 };
 
 class Schema;
@@ -130,6 +131,8 @@ public:
 
   /// Says after read() whether the file has the key. Checks across keys use it.
   bool has(std::string_view path) const { return lines_.contains(std::string(path)); }
+  /// The keys that the file gives under the name of an earlier version, in sentences.
+  std::vector<std::string> former_names() const;
   /// Says whether the file gives the key another value than its default.
   bool changed(std::string_view path) const;
   [[noreturn]] void refuse(std::string_view path, std::string_view why, std::string_view what_to_do) const;
@@ -155,6 +158,7 @@ private:
   void require_kind(const Key& key) const;
   void check(const Key& key) const;
   void require_needed() const;
+  void take_line(const Key& key, const std::string& path, int line);
   std::string where(std::string_view path) const;
   [[noreturn]] void refuse_unknown(const std::string& path, bool is_table) const;
 
@@ -162,6 +166,7 @@ private:
   std::set<std::string> skipped_;
   std::vector<Key> keys_;
   std::map<std::string, int> lines_; ///< of the keys and tables that the file has
+  std::set<std::string> formerly_;   ///< those of them that it gives under their former name
   friend class SchemaReader;
 };
 

@@ -65,13 +65,16 @@ public:
           prefix.empty() ? std::string(name.str()) : prefix + "." + std::string(name.str());
       // A table made by a dotted key has no line of its own; its key has.
       const auto begin = node.source().begin.line ? node.source().begin : name.source().begin;
-      schema.lines_[path] = static_cast<int>(begin.line);
-      if (node.is_table() && schema.skipped_.contains(path))
+      if (node.is_table() && schema.skipped_.contains(path)) {
+        schema.lines_[path] = static_cast<int>(begin.line);
         continue;
+      }
       if (const Schema::Key* key = schema.find(path)) {
+        schema.take_line(*key, path, static_cast<int>(begin.line));
         assign(*key, node);
         continue;
       }
+      schema.lines_[path] = static_cast<int>(begin.line);
       const bool known_table =
           std::any_of(schema.keys_.begin(), schema.keys_.end(),
                       [&](const Schema::Key& k) { return k.path.starts_with(path + "."); });
@@ -238,6 +241,7 @@ void require_text(std::string_view toml, std::string_view source_name, std::stri
 void Schema::read(std::string_view toml, std::string_view source_name) {
   source_ = source_name;
   lines_.clear();
+  formerly_.clear();
   require_text(toml, source_name, title_);
   try {
     SchemaReader(*this).table(toml::parse(toml, source_name), "");
@@ -253,11 +257,27 @@ void Schema::read(std::string_view toml, std::string_view source_name) {
     require_kind(key);
 }
 
+/// Remembers where the file has the key, under whichever name it stands at `path`.
+void Schema::take_line(const Key& key, const std::string& path, int line) {
+  if (path != key.path) {
+    if (lines_.contains(key.path))
+      refuse(key.path, fmt::format("{} is the same key under its former name", path), "Give one of them.");
+    formerly_.insert(key.path);
+  } else if (formerly_.contains(key.path))
+    refuse(key.path, fmt::format("{} is the same key under its former name", key.rule.formerly),
+           "Give one of them.");
+  lines_[key.path] = line;
+}
+
 void Schema::set(const std::string& path, const SchemaValue& value, int line) {
-  lines_[path] = line;
   const Key* key = find(path);
-  if (!key)
+  if (!key) {
+    lines_[path] = line;
     refuse_unknown(path, false);
+  }
+  lines_[key->path] = line;
+  if (path != key->path)
+    formerly_.insert(key->path);
   const auto assign = [&](const toml::node& node) { SchemaReader(*this).assign(*key, node); };
   std::visit(
       [&]<class T>(const T& given) {

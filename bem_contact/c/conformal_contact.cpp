@@ -182,7 +182,7 @@ int conformal_model(conformal_contact* handle, const char** name, const char** r
     require(name && reason, "the name or the reason");
     const SceneResult& result = result_of(handle);
     *name = name_of(result.model).data(); // a literal
-    *reason = result.reason.c_str();
+    *reason = result.why_this_model.c_str();
   });
 }
 

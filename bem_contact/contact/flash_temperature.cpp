@@ -58,7 +58,7 @@ SurfaceTemperatures flash_temperatures(const ContactGrid& grid, const Heating& h
 }
 
 SurfaceTemperatures flash_temperatures(const ContactProblem& problem, const ContactResult& result) {
-  std::vector<double> heat = friction_power(result);
+  std::vector<double> heat = friction_work_density(result);
   std::vector<char> in_contact(heat.size());
   for (std::size_t i = 0; i < heat.size(); ++i) {
     heat[i] *= problem.speed;

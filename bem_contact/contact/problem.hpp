@@ -47,7 +47,7 @@ struct Tractions {
 };
 
 /// What is asked of a contact problem, however fine its elements are. Signs: base/conventions.hpp.
-struct ContactQuestion {
+struct ContactConditions {
   LoadKind load = LoadKind::force; ///< whether approach or force below counts
   double approach = 0;             ///< q along z, mm (load == approach)
   double force = 0;                ///< Fz, N (load == force); per mm of length in plane strain
@@ -63,7 +63,7 @@ struct ContactQuestion {
 };
 
 /// One contact problem: the question, and what belongs to the elements.
-struct ContactProblem : ContactQuestion {
+struct ContactProblem : ContactConditions {
   ContactGrid grid;             ///< the potential contact
   std::vector<ContactRow> rows; ///< ms of them
   InfluenceNumbers numbers;     ///< of the pair, at least grid.mx + 2 offsets (plane strain: 1), grid.ms rows

@@ -46,16 +46,16 @@ Tractions tractions_of(const ContactResult& result) {
   return {result.px, result.ps, result.pn};
 }
 
-std::vector<double> friction_power(const ContactResult& result) {
+std::vector<double> friction_work_density(const ContactResult& result) {
   std::vector<double> power(result.px.size());
   for (std::size_t i = 0; i < result.slip_x.size(); ++i)
     power[i] = result.px[i] * result.slip_x[i] + result.ps[i] * result.slip_s[i];
   return power;
 }
 
-double friction_power(const ContactResult& result, double element_area) {
+double T_gamma(const ContactResult& result, double element_area) {
   double sum = 0;
-  for (const double power : friction_power(result))
+  for (const double power : friction_work_density(result))
     sum += power * element_area;
   return sum;
 }

@@ -80,7 +80,7 @@ struct TotalErrors {
   double pmax = unknown_error;                                   ///< largest_pressure(), MPa
   double area = unknown_error;                                   ///< contact_area(), mm^2
   double adhesion_share = unknown_error; ///< elements in adhesion over those in contact
-  double friction_power = unknown_error; ///< friction_power(), N (shift: N mm)
+  double T_gamma = unknown_error;        ///< T_gamma(), N (shift: N mm)
   /// Largest of SurfaceTemperatures, degrees C.
   double highest_rail_temperature = unknown_error, highest_wheel_temperature = unknown_error;
 };
@@ -88,10 +88,10 @@ struct TotalErrors {
 /// Holds the errors of the numbers of PatchSummary. They are nan too where the coarser elements have other
 /// patches.
 struct PatchErrors {
-  double fn = unknown_error, fx = unknown_error, fs = unknown_error;           ///< N
-  double fy = unknown_error, fz = unknown_error;                               ///< N
-  double moment_n = unknown_error, friction_power = unknown_error;             ///< N mm; N (shift: N mm)
-  double approach = unknown_error, pmax = unknown_error, area = unknown_error; ///< mm, MPa, mm^2
+  double fn = unknown_error, fx = unknown_error, fs = unknown_error;          ///< N
+  double fy = unknown_error, fz = unknown_error;                              ///< N
+  double moment_n = unknown_error, T_gamma = unknown_error;                   ///< N mm; N (shift: N mm)
+  double overlap = unknown_error, pmax = unknown_error, area = unknown_error; ///< mm, MPa, mm^2
 };
 
 /// Estimate of the error that the size of the elements causes, from the same problem on elements twice as
@@ -111,7 +111,7 @@ struct Discretisation {
   int contact = 0;                    ///< elements of the companion in contact
   ContactTotals coarse, extrapolated; ///< of the companion; and as above
   Tractions tractions;                ///< of the companion
-  double approach = 0;   ///< error of q, over the largest PatchSummary::approach; 0 if q is prescribed
+  double approach = 0;   ///< error of q, over the largest PatchSummary::overlap; 0 if q is prescribed
   double normal = 0;     ///< error of the force of p_n as a vector in (y, z), over sum p_n dS
   double tangential = 0; ///< error of the vector (sum p_x dS, sum p_s dS), over sum mu p_n dS
   /// Error of the moment of p_t about the centre of pressure, over sum mu p_n r dS, r the distance from it.
@@ -141,7 +141,7 @@ struct PatchSummary {
   /// N. Sums over the patch of p_n dS, p_x dS and p_s dS, as numbers: the directions n and s may turn from
   /// row to row.
   double fn = 0, fx = 0, fs = 0;
-  double approach = 0;                     ///< largest q cos(delta) - h in the patch, mm
+  double overlap = 0;                      ///< largest q cos(delta) - h in the patch, mm
   double pmax = 0;                         ///< MPa
   double area = 0;                         ///< mm^2
   int contact = 0, adhesion = 0, slip = 0; ///< element counts
@@ -152,7 +152,7 @@ struct PatchSummary {
   /// These are the moments on the rail about that centre, N mm: about x, and about the directions s and n
   /// there.
   double moment_x = 0, moment_s = 0, moment_n = 0;
-  double friction_power = 0; ///< as friction_power() of the whole result, N (shift: N mm)
+  double T_gamma = 0; ///< as T_gamma() of the whole result, N (shift: N mm)
   /// Semi-axes of the ellipse whose Hertzian pressure has the second moments of this pressure, mm: `a` of the
   /// axis nearest to x, turned from x towards s by `axis_angle` (-pi/4 .. pi/4), rad. Plane strain: b is half
   /// the width of such a strip, and a is nan.
@@ -193,7 +193,7 @@ struct ContactResult {
   std::vector<PatchSummary> patches;            ///< largest force first
   Certificate certificate;                      ///< look at it first
   std::optional<Discretisation> discretisation; ///< nothing: not estimated
-  std::string unestimated; ///< why there is no `discretisation`, and what to do; "" where there is one
+  std::string why_no_errors; ///< why there is no `discretisation`, and what to do; "" where there is one
 
   bool touches_border = false;   ///< contact at an edge of the grid: the potential contact is too small
   bool converged = false;        ///< certificate.holds()
@@ -207,7 +207,7 @@ struct ContactResult {
   double estimate_seconds = 0; ///< of the companion
   /// Mean factor by which an outer iteration changed the residual; 0: there was only one outer iteration.
   double outer_rate = 0;
-  std::string remark; ///< why a solver of the chain gave up, or ""
+  std::string solver_note; ///< why a solver of the chain gave up, or ""
 };
 
 /// The tractions of a result, as those of a former rolling step or load step.
@@ -215,9 +215,9 @@ Tractions tractions_of(const ContactResult& result);
 
 /// p_x slip_x + p_s slip_s, the power that friction dissipates on each element per area and unit of rolled
 /// distance (shift: the work of the load step per area), MPa (shift: MPa mm); field. 0 without slip.
-std::vector<double> friction_power(const ContactResult& result);
+std::vector<double> friction_work_density(const ContactResult& result);
 /// Returns the power of friction, summed over all elements times their area (mm^2), N (shift: N mm).
-double friction_power(const ContactResult& result, double element_area);
+double T_gamma(const ContactResult& result, double element_area);
 
 /// Force along x, y, z and moment about them, at a point of the plane x = 0, of the tractions on these rows;
 /// N, N mm. `side_x`, `side`: signs of those along x and of the others.

@@ -151,13 +151,13 @@ ContactResult result_of(const ContactProblem& problem, const contact::Solution& 
   result.tangential_iterations = solution.shear.iterations;
   result.creepage_iterations = solution.creepage.iterations;
   result.outer_rate = solution.rate;
-  result.remark = solution.remark;
+  result.solver_note = solution.remark;
   result.certificate.pressure = unknown_error; // nothing is checked
   return result;
 }
 
 /// Why a result that the solvers took for a solution is none.
-std::string why_not_certified(const Certificate& certificate, const SolverOptions& options) {
+std::string violated_condition(const Certificate& certificate, const SolverOptions& options) {
   const double worst = certificate.worst();
   if (!std::isfinite(worst))
     return "digits were lost: a number overflowed, lengths, forces or moduli lie too many decades apart";
@@ -178,8 +178,8 @@ ContactResult certified_result(const ContactProblem& problem, const contact::Sol
       certify(problem, result, options.displacements ? &result.displacements : nullptr, threads_of(options));
   result.check_seconds = checking.seconds();
   result.converged = result.certificate.holds();
-  if (!result.converged && result.remark.empty())
-    result.remark = why_not_certified(result.certificate, options);
+  if (!result.converged && result.solver_note.empty())
+    result.solver_note = violated_condition(result.certificate, options);
   return result;
 }
 
@@ -230,9 +230,9 @@ void Estimate::solve(const contact::LargerElements& larger, const ContactResult&
 }
 
 void Estimate::add_to(ContactResult& result) {
-  result.unestimated = options_.estimate_discretisation ? contact::why_no_companion(problem_, result)
-                                                        : "they are not asked for";
-  if (!result.unestimated.empty())
+  result.why_no_errors = options_.estimate_discretisation ? contact::why_no_companion(problem_, result)
+                                                          : "they are not asked for";
+  if (!result.why_no_errors.empty())
     return;
   const Stopwatch clock;
   const contact::LargerElements larger(problem_.grid, result.pn);
@@ -247,9 +247,9 @@ void Estimate::add_to(ContactResult& result) {
     if (result.discretisation)
       result.discretisation->tractions = tractions_of(coarse);
     if (!result.discretisation)
-      result.unestimated = contact::why_not_compared(problem, coarse);
+      result.why_no_errors = contact::why_not_compared(problem, coarse);
   } catch (const Error&) { // larger elements cannot carry the forces, or no work is left
-    result.unestimated = "elements twice as large have no solution. Give smaller elements";
+    result.why_no_errors = "elements twice as large have no solution. Give smaller elements";
   }
   if (result.discretisation)
     result.certificate.discretisation = result.discretisation->worst();
@@ -401,7 +401,7 @@ ContactResult solve(const ContactProblem& problem, const SolverOptions& options,
     if (result.converged)
       estimate.add_to(result);
     else
-      result.unestimated = "the result is not certified";
+      result.why_no_errors = "the result is not certified";
   }
   result.estimate_seconds = estimate.seconds();
   result.work = work.used();

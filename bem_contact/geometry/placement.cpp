@@ -120,9 +120,13 @@ WheelFrame WheelOnRail::wheel_frame() const {
 WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, TabulatedProfile wheel) {
   // Roll and yaw are axial vectors in the plane that mirrors left and right: they change sign with y.
   const double side = position.side == WheelSide::left ? -1 : 1;
-  WheelOnRail pair{
-      std::move(rail),       std::move(wheel),    {{0, 0}, -position.cant}, {{0, 0}, side * position.roll},
-      position.wheel_radius, side * position.yaw, side * position.lateral};
+  WheelOnRail pair{std::move(rail),
+                   std::move(wheel),
+                   {{0, 0}, -position.rail_inclination},
+                   {{0, 0}, side * position.roll},
+                   position.wheel_radius,
+                   side * position.yaw,
+                   side * position.lateral};
 
   require_axle_above(pair.wheel, position.wheel_radius);
   pair.rail_pose.origin = rail_origin(position, pair.rail, pair.rail_pose.angle) +

@@ -17,12 +17,12 @@ struct WheelsetPosition {
   double gauge = 1435;               ///< mm
   double gauge_height = 14;          ///< where the gauge is measured: below the top of the rail, mm
   double back_to_back = 1360;        ///< distance between the flange backs, mm
-  double cant = 0;                   ///< rail inclination towards the track centre, rad
+  double rail_inclination = 0;       ///< rail inclination towards the track centre, rad
   double roll = 0;                   ///< wheelset roll, rad, right side down
   double yaw = 0;                    ///< wheelset yaw, rad, front to the right
   double wheel_radius = 460;         ///< nominal, at the tape circle, mm
-  /// Deviations of the rail from where gauge and cant put it: to the right, down, and turned right side
-  /// down.
+  /// Deviations of the rail from where gauge and inclination put it: to the right, down, and turned right
+  /// side down.
   double rail_lateral = 0, rail_vertical = 0, rail_roll = 0; ///< mm, mm, rad
   /// This is where the origin of a section is put, (y, z) in mm, for bodies without a gauge face or a flange.
   /// Rail: in the track frame, instead of gauge and gauge_height. Wheel: y from the wheelset's centre,
@@ -60,15 +60,14 @@ struct WheelFrame {
 /// sign. Longitudinal quantities, pressures and Fz are what they are; those along y or s, and moments about
 /// z, are counted to the left.
 ///
-/// Rail: inclined by cant towards the track centre; its gauge face (the point nearest to the track centre
-/// within gauge_height below the top) is at y = gauge / 2. (So without cant the rail's axis, y = 0 of its
-/// section, is half the head's width farther out.) Then the rail is moved by its deviations and turned about
-/// the origin of its section.
-/// Wheel: the wheelset's centre is displaced by `lateral`; the wheelset is rolled about it (right side down),
-/// then yawed about the vertical through it (right-hand side backwards). The tape circle is at
-/// back_to_back / 2 + 70 mm from it. The wheel's surface is the profile turned about the axle,
-/// r = wheel_radius + z of its section.
-/// WheelsetPosition::rail_origin and wheel_origin put the origins of the sections elsewhere.
+/// Rail: inclined by rail_inclination towards the track centre; its gauge face (the point nearest to the
+/// track centre within gauge_height below the top) is at y = gauge / 2. (So an upright rail's axis, y = 0 of
+/// its section, is half the head's width farther out.) Then the rail is moved by its deviations and turned
+/// about the origin of its section. Wheel: the wheelset's centre is displaced by `lateral`; the wheelset is
+/// rolled about it (right side down), then yawed about the vertical through it (right-hand side backwards).
+/// The tape circle is at back_to_back / 2 + 70 mm from it. The wheel's surface is the profile turned about
+/// the axle, r = wheel_radius + z of its section. WheelsetPosition::rail_origin and wheel_origin put the
+/// origins of the sections elsewhere.
 struct WheelOnRail {
   TabulatedProfile rail, wheel; ///< in their own section frames
   Pose rail_pose, wheel_pose;   ///< wheel_pose is that before the yaw; rail_pose is final

@@ -27,7 +27,7 @@ struct PlaneMotion {
 struct StructuralPlacement {
   PlaneMotion rail, wheel;
   /// Then the wheel is moved along y, mm, so that it slides along the rail as the surfaces in contact do.
-  double aside = 0;
+  double shift_y = 0;
   /// After that the wheel is lowered by this much until it touches again, mm.
   double lowered = 0;
   /// The motions that influence numbers with structural compliance contain, each in its body's section. The
@@ -35,7 +35,7 @@ struct StructuralPlacement {
   PlaneMotion rail_in_numbers, wheel_in_numbers;
 
   /// Returns the shift of the wheel after its structure's motion.
-  Point2 wheel_by() const { return {aside, lowered}; }
+  Point2 wheel_by() const { return {shift_y, lowered}; }
 };
 
 /// Returns by how much a motion within its section moves a point of a body's surface along its own tangent
@@ -54,14 +54,14 @@ inline Point2 counted_twice(const WheelOnRail& pair, const StructuralPlacement& 
   const double delta = rail.delta + pair.rail_pose.angle;
   return own_displacement(by.rail_in_numbers, rail) +
          own_displacement(by.wheel_in_numbers, pair.wheel.at(wheel_s)) -
-         by.aside * Point2{tangent_of(delta).y, normal_of(delta).y};
+         by.shift_y * Point2{tangent_of(delta).y, normal_of(delta).y};
 }
 
 /// The pair with both bodies moved, the wheel not yet lowered.
 inline WheelOnRail moved(WheelOnRail pair, const StructuralPlacement& by) {
   pair.rail_pose = by.rail.of(pair.rail_pose);
   pair.wheel_pose = by.wheel.of(pair.wheel_pose);
-  pair.wheel_pose.origin.y += by.aside;
+  pair.wheel_pose.origin.y += by.shift_y;
   return pair;
 }
 

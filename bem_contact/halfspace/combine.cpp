@@ -23,7 +23,7 @@ InfluenceNumbers combine(const InfluenceNumbers& lower, InfluenceNumbers upper) 
     throw InputError("The influence numbers of two bodies cannot be added", "they belong to different grids",
                      "Expand both for the same grid.");
   if (lower.translational != upper.translational)
-    return combine(spelled_out(lower), spelled_out(upper));
+    return combine(with_every_pair_of_rows(lower), with_every_pair_of_rows(upper));
   // Either form has threes [j] of a row after each other, and three or more such rows [i].
   const std::size_t threes = lower.translational ? 1 : static_cast<std::size_t>(lower.rows);
   double* to = upper.values.data();

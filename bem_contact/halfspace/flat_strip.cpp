@@ -9,8 +9,8 @@
 
 namespace bem_contact::halfspace {
 
-InfluenceNumbers numbers(const Material& material, double dx, double ds, int offsets, int rows,
-                         LineStore* known) {
+InfluenceNumbers influence_numbers(const Material& material, double dx, double ds, int offsets, int rows,
+                                   LineStore* known) {
   require_size(dx, "length dx");
   require_size(ds, "width ds");
   if (offsets < 1 || rows < 1)

@@ -61,7 +61,7 @@ struct InfluenceNumbers {
 };
 
 /// Returns the same numbers with every pair of rows written out.
-inline InfluenceNumbers spelled_out(const InfluenceNumbers& numbers) {
+inline InfluenceNumbers with_every_pair_of_rows(const InfluenceNumbers& numbers) {
   if (!numbers.translational)
     return numbers;
   InfluenceNumbers table{numbers.offsets, numbers.rows, numbers.dx, numbers.ds, {}};

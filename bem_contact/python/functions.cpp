@@ -135,16 +135,16 @@ void add_functions(py::module_& module) {
       "None. `scene`, `changes`: as solve() takes them. Look at equal forces first: at equal position a "
       "hundredth of a millimetre makes "
       "most of the difference.");
-  module.def(
-      "conicity", conicity, "scene"_a = py::none(), "changes"_a = py::none(), py::kw_only(),
-      "left_wheel"_a = "", "left_rail"_a = "", "roll"_a = false, "to"_a = 10.0, "step"_a = 1.0,
-      "folder"_a = py::none(),
-      "Rolling radius difference and equivalent conicity (EN 15302) of a rigid wheelset. Profiles and "
-      "track come from a scene, from `changes`, as {\"wheel.profile\": \"S1002\", \"rail.profile\": "
-      "\"60E1\", \"position.cant\": 0.025}, or from both; paths start at the scene's folder, without a "
-      "scene at the working directory. A left side that differs has names of its own. `roll`: the "
-      "wheelset rolls until both wheels stand. Amplitudes: step, 2 step, .. `to`, mm. A dict: "
-      "\"function\" over the lateral displacement, \"conicity\" over the amplitude, mm and rad.");
+  module.def("conicity", conicity, "scene"_a = py::none(), "changes"_a = py::none(), py::kw_only(),
+             "left_wheel"_a = "", "left_rail"_a = "", "roll"_a = false, "to"_a = 10.0, "step"_a = 1.0,
+             "folder"_a = py::none(),
+             "Rolling radius difference and equivalent conicity (EN 15302) of a rigid wheelset. Profiles and "
+             "track come from a scene, from `changes`, as {\"wheel.profile\": \"S1002\", \"rail.profile\": "
+             "\"60E1\", \"position.rail_inclination\": 0.025}, or from both; paths start at the scene's "
+             "folder, without a "
+             "scene at the working directory. A left side that differs has names of its own. `roll`: the "
+             "wheelset rolls until both wheels stand. Amplitudes: step, 2 step, .. `to`, mm. A dict: "
+             "\"function\" over the lateral displacement, \"conicity\" over the amplitude, mm and rad.");
   module.def(
       "creep_curves", curves, "scene"_a, "changes"_a = py::none(), "model"_a = py::none(), py::kw_only(),
       "xi"_a = py::none(), "eta"_a = py::none(), "phi"_a = py::none(), "folder"_a = py::none(),

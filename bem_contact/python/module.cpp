@@ -226,7 +226,7 @@ void add_trust(ResultClass& c) {
   c.def_property_readonly(
       "model", [](const SceneResult& r) { return std::string(name_of(r.model)); },
       "hertz, halfspace, tangent_plane or fem");
-  c.def_readonly("reason", &SceneResult::reason, "Why this model");
+  c.def_readonly("reason", &SceneResult::why_this_model, "Why this model");
   c.def_property_readonly("why_no_errors", why_no_errors,
                           "Why numbers have no stated errors, and what to do; \"\" where they have");
   c.def_readonly("warnings", &SceneResult::warnings,
@@ -241,7 +241,8 @@ void add_trust(ResultClass& c) {
       },
       "False: smaller elements show another field, and no error can be told; None: not estimated");
   c.def_property_readonly("seconds", [](const SceneResult& r) { return r.seconds.total; });
-  c.def_property_readonly("why_not_certified", why_uncertified, "Why it is not certified; \"\" where it is");
+  c.def_property_readonly("why_not_certified", why_not_certified,
+                          "Why it is not certified; \"\" where it is");
   c.def("__getitem__", at_path);
   c.def("save", save);
   c.def("report", report_of);

@@ -171,7 +171,7 @@ const solversOf = ({group: {solver, attributes: a}}) =>
     [solver?.attributes.normal ?? a.normal_solver, solver?.attributes.tangential ?? a.tangential_solver].filter(Boolean).join(", ");
 
 const addCertificate = contact => {
-  const {attributes: a} = contact.group, certified = certifiedOf(contact.group), note = a.solver_note ?? a.remark;
+  const {attributes: a} = contact.group, certified = certifiedOf(contact.group), note = a.solver_note ?? a.solver_note;
   const box = add("div", "", page, {className: certified ? "certificate" : "certificate broken"});
   add("p", certified ? `Certified: the worst violation of a contact condition is ${worstOf(contact)} (relative; at most ${toleranceOf(contact)}). ` +
       `It was computed by code that shares nothing with the solvers (${solversOf(contact)}).` + (note ? ` ${note}.` : "")

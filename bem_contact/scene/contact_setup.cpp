@@ -38,7 +38,7 @@ template <class Geometry> auto share(Geometry geometry) {
 
 /// The wheel of a pair, lowered until it touches. The members are made in this order: the last one lowers
 /// pair and locus.
-struct Touching {
+struct LoweredWheel {
   WheelOnRail pair;
   double from = pair.wheel_pose.origin.z;
   ContactLocus locus{pair};
@@ -48,15 +48,15 @@ struct Touching {
 };
 
 /// What is known of the bodies before they touch: WheelRailGeometry's members of these names.
-struct Origin {
+struct PlacementBeforeContact {
   double lowered = 0;
   RailInclination rail_inclination;
   std::optional<StructuralPlacement> structure = {};
 };
 
 /// All that follows from where the bodies stand as they touch.
-ContactSetup set_up_touching(const SceneFile& scene, Touching bodies, const ContactLoad& load,
-                             const Origin& origin) {
+ContactSetup set_up_touching(const SceneFile& scene, LoweredWheel bodies, const ContactLoad& load,
+                             const PlacementBeforeContact& origin) {
   const WheelOnRail& pair = bodies.pair;
   std::vector<RailSlice> slices = slice_rail(pair, bodies.locus);
   const std::optional<ContactCentre> centre = contact_centre(
@@ -182,7 +182,7 @@ RigidSlip ContactSetup::rigid_slip(const MotionStep& step, const std::vector<Con
 ContactSetup set_up_contact(const SceneFile& scene, const WheelRailProfiles& profiles) {
   if (scene.load.approach)
     require_small_approach(*scene.load.approach);
-  Touching bodies(place(scene.position, profiles.rail, profiles.wheel));
+  LoweredWheel bodies(place(scene.position, profiles.rail, profiles.wheel));
   const double lowered = bodies.drop();
   const ContactLoad load = load_of(scene, scene.position.vertical ? *scene.position.vertical - lowered
                                                                   : scene.load.approach.value_or(0));
@@ -192,7 +192,7 @@ ContactSetup set_up_contact(const SceneFile& scene, const WheelRailProfiles& pro
 
 ContactSetup moved(const SceneFile& scene, const ContactSetup& setup, StructuralPlacement by) {
   const WheelRailGeometry& before = *setup.wheel_rail();
-  Touching bodies(moved(before.pair, by));
+  LoweredWheel bodies(moved(before.pair, by));
   by.lowered = bodies.drop();
   ContactLoad load = setup.load;
   load.approach -= load.kind == LoadKind::approach ? by.lowered : 0.0;

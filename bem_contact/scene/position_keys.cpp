@@ -36,9 +36,9 @@ void add_position(Schema& s, SceneFile::Position& p) {
   t.add("gauge_height", p.gauge_height, "Depth below the top of the rail where the gauge is taken",
         {.unit = "mm", .above = 0});
   t.add("back_to_back", p.back_to_back, "Distance between the flange backs", {.unit = "mm", .above = 0});
-  t.add("cant", p.cant,
-        "Inclination of the rail towards the track centre (1:40 is 0.025; not superelevation)",
-        {.unit = "rad", .at_least = -0.5, .at_most = 0.5});
+  t.add("rail_inclination", p.rail_inclination,
+        "Inclination of the rail towards the track centre (1:40 is 0.025)",
+        {.unit = "rad", .at_least = -0.5, .at_most = 0.5, .formerly = "position.cant"});
   t.add("roll", p.roll, "Roll of the wheelset, right side down",
         {.unit = "rad", .at_least = -0.5, .at_most = 0.5});
   t.add("yaw", p.yaw, "Yaw of the wheelset, its front to the right",

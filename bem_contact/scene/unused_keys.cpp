@@ -122,7 +122,7 @@ std::vector<Cause> causes_of_grid(const SceneFile& f) {
 } // namespace
 
 std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
-  std::vector<std::string> out;
+  std::vector<std::string> out = schema.former_names();
   for (const auto& [table, side] : {std::pair{"rail", &f.rail}, std::pair{"wheel", &f.wheel}}) {
     const std::string& profile = side->profile;
     if (const auto given = given_reading(schema, table);

@@ -138,13 +138,13 @@ void warn_of_kilonewtons(const char* key, double force, int wheels, std::vector<
                                    wheels == 1 ? "a wheel" : "an axle"));
 }
 
-std::string inclined_twice(const RailInclination& rail, double cant) {
-  if (cant == 0 || rail.get() == 0) // without cant nobody need look for the other one
+std::string inclined_twice(const RailInclination& rail, double given) {
+  if (given == 0 || rail.get() == 0) // then nobody need look for the other one
     return "";
-  return fmt::format(
-      "the rail's file is already inclined ({}), and position.cant = {:g} inclines it again: give "
-      "position.cant = 0 with it",
-      inclination_text(rail.get()), cant);
+  return fmt::format("the rail's file is already inclined ({}), and position.rail_inclination = {:g} "
+                     "inclines it again: give "
+                     "position.rail_inclination = 0 with it",
+                     inclination_text(rail.get()), given);
 }
 
 std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSetup& setup) {
@@ -164,7 +164,8 @@ std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSet
   if (const WheelRailGeometry* placed = setup.wheel_rail()) {
     if (setup.load.kind == LoadKind::force)
       warn_of_kilonewtons("load.force", setup.load.force, 1, out);
-    if (std::string twice = inclined_twice(placed->rail_inclination, scene.position.cant); !twice.empty())
+    if (std::string twice = inclined_twice(placed->rail_inclination, scene.position.rail_inclination);
+        !twice.empty())
       out.push_back(std::move(twice));
     look_at_lateral(scene, out);
     if (std::string none = by_gauge_and_flange(scene) ? no_play(scene.position, placed->pair.wheel) : "";

@@ -36,7 +36,7 @@ struct WheelRailGeometry {
   bool planar = false;              ///< all rows lie in the tangent plane at the reference point
   ReferencePoint reference;         ///< centre of the contact; the deepest point where nothing touches
   double contact_radius = 0;        ///< of the wheel at that centre, mm
-  RailInclination rail_inclination; ///< of the rail in its file, before position.cant
+  RailInclination rail_inclination; ///< of the rail in its file, before position.rail_inclination
   std::optional<StructuralPlacement> structure = {}; ///< where structural motion has moved the bodies
 
   std::vector<ContactRow> rows(const GridPlan& plan) const;

@@ -26,7 +26,7 @@ double error_of(AccuracyOf what, const ContactProblem& problem, const ContactRes
   case AccuracyOf::creepages:
     return std::max(relative(e.creepage_x, r.creepage_x), relative(e.creepage_s, r.creepage_s));
   case AccuracyOf::friction_power:
-    return relative(e.friction_power, friction_power(r, problem.element_area()));
+    return relative(e.T_gamma, T_gamma(r, problem.element_area()));
   case AccuracyOf::forces:
     break;
   }

@@ -193,7 +193,7 @@ std::string model_text(std::optional<Model> asked_for, const std::optional<Model
   std::string out = fmt::format("model: {}", name_of(asked_for));
   if (choice)
     out += fmt::format("{} {} by the estimate: {}", asked_for ? "; auto would take" : ", which takes",
-                       name_of(choice->model), choice->reason);
+                       name_of(choice->model), choice->why_this_model);
   return out;
 }
 

@@ -75,7 +75,7 @@ template <auto member> void copy_displacement(const SceneResult& r, std::span<do
   copy_stored(r.result.displacements.*member, to);
 }
 void copy_work_density(const SceneResult& r, std::span<double> to) {
-  copy_stored(friction_power(r.result), to);
+  copy_stored(friction_work_density(r.result), to);
 }
 
 bool has_temperatures(const SceneResult& r) {
@@ -110,8 +110,8 @@ constexpr Quantity known_quantities[] = {
     {"adhesion_share", share_unit, "of the area in contact that adheres",
      [](const SceneResult& r) { return adhesion_share(r.result); }, total<&TotalErrors::adhesion_share>},
     {"T_gamma", work_unit, "work of friction per unit of rolled distance (shift: in the step)",
-     [](const SceneResult& r) { return friction_power(r.result, r.problem.element_area()); },
-     total<&TotalErrors::friction_power>},
+     [](const SceneResult& r) { return T_gamma(r.result, r.problem.element_area()); },
+     total<&TotalErrors::T_gamma>},
     {"Tmax_rail", celsius, "highest temperature of the rail's surface; nan: not asked for",
      highest_temperature<&SurfaceTemperatures::rail>, total<&TotalErrors::highest_rail_temperature>},
     {"Tmax_wheel", celsius, "highest temperature of the wheel's surface; nan: not asked for",
@@ -181,8 +181,8 @@ constexpr PatchQuantity all_of_patches[] = {
     {"Ms", moment_unit, "on the rail, about s at the patch's centre", of_patch<&PatchSummary::moment_s>},
     {"Mn", moment_unit, "on the rail, about n at the patch's centre", of_patch<&PatchSummary::moment_n>,
      patch_error<&PatchErrors::moment_n>},
-    {"overlap", mm, "largest overlap of the undeformed bodies, along n", of_patch<&PatchSummary::approach>,
-     patch_error<&PatchErrors::approach>},
+    {"overlap", mm, "largest overlap of the undeformed bodies, along n", of_patch<&PatchSummary::overlap>,
+     patch_error<&PatchErrors::overlap>},
     {"pmax", megapascal, "largest pressure", of_patch<&PatchSummary::pmax>, patch_error<&PatchErrors::pmax>},
     {"area", square, "in contact", of_patch<&PatchSummary::area>, patch_error<&PatchErrors::area>},
     {"semi_axis_a", mm,
@@ -212,7 +212,7 @@ constexpr PatchQuantity all_of_patches[] = {
     {"phi", spin_unit, "rotation of the rigid slip about n there, with that of the geometry",
      of_place<&PatchPlace::phi>},
     {"T_gamma", work_unit, "work of friction per unit of rolled distance (shift: in the step)",
-     of_patch<&PatchSummary::friction_power>, patch_error<&PatchErrors::friction_power>},
+     of_patch<&PatchSummary::T_gamma>, patch_error<&PatchErrors::T_gamma>},
     {"contact", number, "elements in contact", of_patch<&PatchSummary::contact>},
     {"adhesion", number, "elements in adhesion", of_patch<&PatchSummary::adhesion>},
     {"slip", number, "elements in slip", of_patch<&PatchSummary::slip>},
@@ -238,7 +238,7 @@ constexpr StepQuantity all_of_steps[] = {
     of_each_step("area", [](const SceneResult&, const ContactResult& step) { return contact_area(step); }),
     of_each_step("T_gamma",
                  [](const SceneResult& r, const ContactResult& step) {
-                   return friction_power(step, r.problem.element_area());
+                   return T_gamma(step, r.problem.element_area());
                  }),
     of_each_step("creepage_x", of_step<&ContactResult::creepage_x>),
     of_each_step("creepage_s", of_step<&ContactResult::creepage_s>),
@@ -329,7 +329,7 @@ std::vector<double> ElementQuantity::values(const SceneResult& result) const {
 std::string why_no_errors(const SceneResult& r) {
   const auto& estimate = r.result.discretisation;
   if (!estimate || estimate->converges)
-    return r.result.unestimated;
+    return r.result.why_no_errors;
   return fmt::format(
       "the pressure does not converge with the size of the elements (pmax {:.0f} MPa on elements "
       "twice as large). Give smaller elements, or smooth the profiles",

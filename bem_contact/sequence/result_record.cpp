@@ -144,10 +144,11 @@ record::Content structure_of(const std::optional<StructuralResult>& s) {
   if (!s)
     return {};
   Record out{{"rail", body_of(s->rail)}, {"wheel", body_of(s->wheel)}, {"placed", s->placed}};
-  if (s->aside)
-    out.add("aside", Number{*s->aside, "mm", "how far the wheel is moved along y, as the surfaces slide"});
+  if (s->shift_y)
+    out.add("shift_y",
+            Number{*s->shift_y, "mm", "how far the wheel is moved along y, as the surfaces slide"});
   else
-    out.add("aside", Record::Nothing{});
+    out.add("shift_y", Record::Nothing{});
   out.add("solutions", Number{double(s->solutions), "1", "until the bodies stood still", {}, true});
   out.add("last_change", Number{s->change, "mm", "by how much the last solution moved the contact"});
   out.add("lowered",
@@ -208,10 +209,10 @@ Record solver_of(const ContactResult& c) {
 /// What is said of the answer as a whole.
 void add_words_of(Record& out, const SceneResult& r) {
   out.add("model", std::string(name_of(r.model)));
-  out.add("why_this_model", r.reason);
+  out.add("why_this_model", r.why_this_model);
   out.add("certified", certified(r));
-  add_words(out, "why_not_certified", why_uncertified(r));
-  add_words(out, "solver_note", r.result.remark);
+  add_words(out, "why_not_certified", why_not_certified(r));
+  add_words(out, "solver_note", r.result.solver_note);
   add_words(out, "why_no_errors", why_no_errors(r));
   if (r.result.discretisation)
     out.add("converges_with_elements", r.result.discretisation->converges);

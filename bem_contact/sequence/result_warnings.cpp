@@ -96,10 +96,10 @@ void warn_of_large_elements(const SceneResult& r, std::vector<std::string>& out)
                                 "along {}) Give smaller grid.dx and grid.ds.",
                                 i + 1, coarse_x ? grid.dx : grid.ds, coarse_x ? x * grid.dx : s * grid.ds,
                                 coarse_x ? "x" : "s"));
-    else if (grid.mx > 1 && grid.ms > 1 && patch.contact < few_elements)
+    else if (grid.mx > 1 && grid.ms > 1 && patch.contact < least_elements_of_patch)
       out.push_back(fmt::format("the elements are too large for this contact (patch {} has {}, {} are needed "
                                 "for errors of a few per cent) Give smaller grid.dx and grid.ds.",
-                                i + 1, patch.contact, int(few_elements)));
+                                i + 1, patch.contact, int(least_elements_of_patch)));
   }
 }
 
@@ -171,11 +171,11 @@ std::vector<std::string> result_warnings(const ContactCase& asked, const SceneRe
 
 void warn_of_model(SceneResult& out) {
   if (!out.model_enough)
-    out.warnings.push_back("the finite-element model is needed here: " + out.reason);
+    out.warnings.push_back("the finite-element model is needed here: " + out.why_this_model);
 }
 
 void take_choice(const SceneResult& chosen, SceneResult& out) {
-  out.reason = chosen.reason;
+  out.why_this_model = chosen.why_this_model;
   out.model_enough = chosen.model_enough;
   warn_of_model(out);
 }

@@ -69,9 +69,9 @@ inline double moment_about(const ReferencePoint& reference, const ContactResult&
 /// One scene solved with one model.
 struct SceneResult {
   Model model = Model::halfspace; ///< that it was solved with
-  std::string reason;             ///< why this model, in a sentence
+  std::string why_this_model;     ///< why this model, in a sentence
   bool model_enough =
-      true;               ///< false: finite elements would be needed, and cannot be taken; `reason` says why
+      true; ///< false: finite elements would be needed, and cannot be taken; `why_this_model` says why
   ContactProblem problem; ///< grid, rows (wheel_rail: track frame), undeformed distance, rigid slip; without
                           ///< the values of the influence numbers
   ContactResult result;   ///< of the last step

@@ -34,7 +34,7 @@ BEM_CONTACT_TUNED(int, many_elements, 2000);
 
 /// 1. Elements of a patch below which they are said to be few: an error is off by its own size there
 /// (tools/BENCHMARKS.md).
-BEM_CONTACT_TUNED(int, few_elements, 40);
+BEM_CONTACT_TUNED(int, least_elements_of_patch, 40);
 
 // Repeated results.
 

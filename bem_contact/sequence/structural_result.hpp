@@ -29,7 +29,7 @@ struct StructuralResult {
   bool placed = false;
   /// How far along y the wheel is moved so that it slides along the rail as the surfaces in contact do, mm;
   /// nothing where the geometry does not follow them.
-  std::optional<double> aside;
+  std::optional<double> shift_y;
   int solutions = 1;  ///< until the bodies stood still
   double change = 0;  ///< by how much the last solution still moved the contact, mm
   double lowered = 0; ///< of the approach: what brings the moved bodies together again, mm

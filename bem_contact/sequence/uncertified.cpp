@@ -4,7 +4,7 @@
 
 namespace bem_contact {
 
-std::string why_uncertified(const SceneResult& result) {
+std::string why_not_certified(const SceneResult& result) {
   if (certified(result))
     return "";
   const std::vector<ContactResult>& steps = result.history;
@@ -16,11 +16,11 @@ std::string why_uncertified(const SceneResult& result) {
                  : "";
   out += fmt::format("its worst violation is {:.1e}, {:.0e} is allowed", first.certificate.worst(),
                      first.certificate.tolerance);
-  return first.remark.empty() ? out : out + "; " + first.remark;
+  return first.solver_note.empty() ? out : out + "; " + first.solver_note;
 }
 
 ConvergenceError uncertified_error(const SceneResult& result) {
-  return {fmt::format("The {} result is not a solution", name_of(result.model)), why_uncertified(result),
+  return {fmt::format("The {} result is not a solution", name_of(result.model)), why_not_certified(result),
           result.problem.kinetic < 1
               ? "Friction that drops at once lets forces jump: give motion.falling_friction in place of "
                 "motion.kinetic_friction (rolling), or other elements."

@@ -9,7 +9,7 @@ namespace bem_contact {
 
 /// Why a result is not certified(), in words: the worst violation and what the solver says of it, of the
 /// first step that is not a solution, because later steps start from it. "" if it is certified.
-std::string why_uncertified(const SceneResult& result);
+std::string why_not_certified(const SceneResult& result);
 
 /// Returns the same as an error, for callers that take only certified results.
 ConvergenceError uncertified_error(const SceneResult& result);

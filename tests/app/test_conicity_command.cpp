@@ -40,8 +40,8 @@ TEST_F(ConicityCommand, AConeHasKlingelsWavelength) {
   EXPECT_NEAR(at(j["function"], "lateral", -7, "difference"), -0.7, 1e-6);
 }
 
-/// 60E1 as it lies in the track: with cant = 0 it gives what the standard gives with cant, and a warning with
-/// both.
+/// 60E1 as it lies in the track: with rail_inclination = 0 it gives what the inclined standard gives, and a
+/// warning with both.
 TEST_F(ConicityCommand, ARailThatIsInclinedTwiceIsSaid) {
   const ProfileCurve upright = standard_profile("60E1");
   const NominalPlace in_track{{-7, 0}, -0.025};
@@ -52,19 +52,19 @@ TEST_F(ConicityCommand, ARailThatIsInclinedTwiceIsSaid) {
   }
   const std::string command = "conicity --json --wheel S1002 --rail ";
   const std::string measured = command + "'" + write("rail.txt", points).string() + "' ";
-  const Outcome once = run(measured), standard = run(command + "60E1 --cant 0.025");
+  const Outcome once = run(measured), standard = run(command + "60E1 --rail-inclination 0.025");
   ASSERT_EQ(once.code, 0) << once.err;
   EXPECT_THAT(once.err, Not(HasSubstr("inclined")));
   EXPECT_NEAR(at(json::parse(once.out)["conicity"], "amplitude", 3, "tan_gamma"),
               at(json::parse(standard.out)["conicity"], "amplitude", 3, "tan_gamma"), 2e-3);
-  EXPECT_THAT(run(measured + "--cant 0.025").err, HasSubstr("already inclined (about 1:40)"));
+  EXPECT_THAT(run(measured + "--rail-inclination 0.025").err, HasSubstr("already inclined (about 1:40)"));
   const std::string left =
-      command + "60E1 --cant 0.025 --left-rail '" + (folder_ / "rail.txt").string() + "'";
+      command + "60E1 --rail-inclination 0.025 --left-rail '" + (folder_ / "rail.txt").string() + "'";
   EXPECT_THAT(run(left).err, HasSubstr("left rail: the rail's file is already inclined (about 1:40)"));
 }
 
 TEST_F(ConicityCommand, TextJsonCsvAndHdf5AgreeAndTheHelpIsRight) {
-  const std::string wheelset = "conicity --wheel S1002 --rail 60E1 --cant 0.025 ";
+  const std::string wheelset = "conicity --wheel S1002 --rail 60E1 --rail-inclination 0.025 ";
   const std::string files =
       "--csv '" + (folder_ / "c.csv").string() + "' -o '" + (folder_ / "c.h5").string() + "'";
   const Outcome text = run(wheelset + files), as_json = run(wheelset + "--json");
@@ -95,7 +95,7 @@ TEST_F(ConicityCommand, TextJsonCsvAndHdf5AgreeAndTheHelpIsRight) {
 TEST_F(ConicityCommand, TakesASceneAndAnotherLeftWheel) {
   const std::string scene =
       write("s.toml", "rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nload.force = 1e5\n"
-                      "position.cant = 0.025\nposition.lateral = 5\n")
+                      "position.rail_inclination = 0.025\nposition.lateral = 5\n")
           .string();
   const Outcome same = run("conicity '" + scene + "' --json"),
                 other = run("conicity '" + scene + "' --json --left-wheel '" + cone() + "'");
@@ -134,8 +134,8 @@ TEST_F(ConicityCommand, SaysWhatIsMissingOrWrong) {
   refused("--wheel S1002 --rail 60E9", "60E1");
   refused("--wheel S1002 --rail 60E1 --to 60", "at most 45 mm");
   refused("--wheel S1002 --rail 60E1 --step 0", "above 0");
-  refused("--wheel S1002 --rail 60E1 --cant 1:40", "1:40 is a fraction: write 0.025");
-  refused("--wheel S1002 --rail 60E1 --cant 1/20", "write 0.05");
+  refused("--wheel S1002 --rail 60E1 --rail-inclination 1:40", "1:40 is a fraction: write 0.025");
+  refused("--wheel S1002 --rail 60E1 --rail-inclination 1/20", "write 0.05");
   refused("--wheel S1002 --rail 60E1 --wheel-radius -5", "wheel_radius");
   const std::string profile = cone();
   refused("--rail 60E1 --wheel '" + profile + "' --csv '" + profile + "'", "cone.txt");

@@ -68,7 +68,9 @@ TEST_F(ProfileCommand, SaysThatAWornRailIsInclined) {
   const Outcome r = run("profile '" + write("rail.txt", points).string() + "' --kind rail");
   ASSERT_EQ(r.code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("inclined: turned by -2.8"));
-  EXPECT_THAT(r.out, HasSubstr("(about 1:20): the file is already inclined; give position.cant = 0 with it"));
+  EXPECT_THAT(
+      r.out,
+      HasSubstr("(about 1:20): the file is already inclined; give position.rail_inclination = 0 with it"));
 }
 
 } // namespace

@@ -403,7 +403,7 @@ TEST(SweepWorkers, EachChunkBeginsAnew) {
 /// Mirror images: what the right wheel bears at 2 mm, the left one bears at -2 mm.
 TEST_F(Sweep, OfWheelsetsIsWhatTheWheelsetCommandSays) {
   const std::string wheelset = "rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nsolver.model = "
-                               "\"halfspace\"\nposition.cant = 0.025\n"
+                               "\"halfspace\"\nposition.rail_inclination = 0.025\n"
                                "motion.friction = 0.3\ngrid.dx = 1\ngrid.ds = 1\n";
   const std::string swept = wheelset + "wheelset.force = 2e5\n[sweep]\nposition.lateral = [-2, 2]\n";
   const Outcome r = sweep(swept, "--csv '" + (folder_ / "o.csv").string() + "'");

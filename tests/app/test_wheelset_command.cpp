@@ -53,8 +53,9 @@ TEST_F(WheelsetCommand, TextJsonHdf5AndVtkAgreeAndThePagesAreRight) {
 }
 
 TEST_F(WheelsetCommand, AForceInKilonewtonsIsSaid) {
-  const std::string text = "rail.profile = '60E1'\nwheel.profile = 'S1002'\nposition.cant = 0.025\n"
-                           "motion.friction = 0.3\nwheelset.force = ";
+  const std::string text =
+      "rail.profile = '60E1'\nwheel.profile = 'S1002'\nposition.rail_inclination = 0.025\n"
+      "motion.friction = 0.3\nwheelset.force = ";
   for (const char* command : {"check", "wheelset"}) {
     const std::string small = write("small.toml", text + "200\n").string();
     const Outcome r = run(std::string(command) + " '" + small + "'");

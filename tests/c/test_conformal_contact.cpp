@@ -134,7 +134,7 @@ TEST(C, PatchValuesAreThoseOfTheirNames) {
                                            {CONFORMAL_PATCH_WHEEL_DELTA, place.wheel_delta},
                                            {CONFORMAL_PATCH_ETA, place.eta},
                                            {CONFORMAL_PATCH_PHI, place.phi},
-                                           {CONFORMAL_PATCH_FRICTION_POWER, p.friction_power}};
+                                           {CONFORMAL_PATCH_FRICTION_POWER, p.T_gamma}};
   for (const auto& [index, value] : values)
     EXPECT_EQ(patch[index], value) << index;
 }
@@ -151,7 +151,7 @@ TEST(C, StatedErrorsAndTheModelAreThoseOfTheResult) {
   EXPECT_GT(d.errors.Fx, 0);
   EXPECT_EQ(totals[CONFORMAL_FX], d.errors.Fx);
   EXPECT_EQ(totals[CONFORMAL_PMAX], d.errors.pmax);
-  EXPECT_EQ(totals[CONFORMAL_FRICTION_POWER], d.errors.friction_power);
+  EXPECT_EQ(totals[CONFORMAL_FRICTION_POWER], d.errors.T_gamma);
   EXPECT_EQ(totals[CONFORMAL_FZ], 0);
   EXPECT_TRUE(std::isnan(totals[CONFORMAL_CERTIFICATE]));
   ASSERT_EQ(conformal_patch_errors(contact.get(), 0, patch, CONFORMAL_PATCH_VALUES), CONFORMAL_OK);
@@ -162,7 +162,7 @@ TEST(C, StatedErrorsAndTheModelAreThoseOfTheResult) {
   const char *name = nullptr, *reason = nullptr;
   ASSERT_EQ(conformal_model(contact.get(), &name, &reason), CONFORMAL_OK);
   EXPECT_STREQ(name, "halfspace");
-  EXPECT_EQ(reason, expected.reason);
+  EXPECT_EQ(reason, expected.why_this_model);
   const char* why = nullptr;
   ASSERT_EQ(conformal_why_no_errors(contact.get(), &why), CONFORMAL_OK);
   EXPECT_EQ(why, why_no_errors(expected));

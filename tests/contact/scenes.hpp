@@ -26,8 +26,8 @@ inline InfluenceNumbers pair(InfluenceNumbers lower, const InfluenceNumbers& upp
 }
 
 inline InfluenceNumbers pair(const Material& lower, const Material& upper, const ContactGrid& grid) {
-  return pair(halfspace::numbers(lower, grid.dx, grid.ds, grid.mx + 2, grid.ms),
-              halfspace::numbers(upper, grid.dx, grid.ds, grid.mx + 2, grid.ms));
+  return pair(halfspace::influence_numbers(lower, grid.dx, grid.ds, grid.mx + 2, grid.ms),
+              halfspace::influence_numbers(upper, grid.dx, grid.ds, grid.mx + 2, grid.ms));
 }
 
 /// Flat rows, grid centred at the origin, gap a x^2 + b s^2, frictionless.
@@ -73,7 +73,7 @@ inline void bend(ContactProblem& problem, double radius) {
 /// the half-space's field taken to be the same in track axes. Stays symmetric and positive definite.
 inline void rotate_numbers(ContactProblem& problem) {
   const InfluenceNumbers flat = problem.numbers;
-  InfluenceNumbers& a = problem.numbers = spelled_out(flat);
+  InfluenceNumbers& a = problem.numbers = with_every_pair_of_rows(flat);
   const auto rotation = [&problem](int row) {
     const double c = std::cos(problem.rows[row].delta), s = std::sin(problem.rows[row].delta);
     return std::array<std::array<double, 3>, 3>{{{1, 0, 0}, {0, c, -s}, {0, s, c}}}; // local to track

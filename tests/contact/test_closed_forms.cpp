@@ -87,7 +87,7 @@ FourCoefficients mean_coefficients(double a_over_b, double poisson, int across) 
     for (int i = 0; i < 3; ++i) {
       scenes::set_creepage(problem, 1e6, i == 0 ? unit : 0, i == 1 ? unit : 0, i == 2 ? unit : 0);
       rolled[i] = solve(problem, options);
-      EXPECT_TRUE(rolled[i].converged) << rolled[i].remark;
+      EXPECT_TRUE(rolled[i].converged) << rolled[i].solver_note;
     }
     const auto& [along, lateral, spin] = rolled;
     const double cc = along.patches[0].area / std::numbers::pi, c = std::sqrt(cc);

@@ -43,7 +43,7 @@ TEST_P(Persson, ByTangentPlaneNumbers) {
   for (const int count : {54, 108, 216}) {
     const ContactProblem problem = pin_in_hole(half_angle, count);
     const ContactResult result = solve(problem);
-    ASSERT_TRUE(result.converged) << result.remark;
+    ASSERT_TRUE(result.converged) << result.solver_note;
     double square = 0, norm = 0;
     for (int i = 0; i < count; ++i) {
       const double p =
@@ -121,7 +121,7 @@ TEST_P(BallInSeat, HasTheExactPressureAndHalfAngle) {
   for (const int across : {25, 50, 100}) {
     const ContactProblem problem = ball_in_seat(GetParam(), across);
     const ContactResult result = solve(problem, {.estimate_discretisation = false});
-    ASSERT_TRUE(result.converged) << result.remark;
+    ASSERT_TRUE(result.converged) << result.solver_note;
     EXPECT_NEAR(result.Fz, problem.force, 1e-9 * problem.force);
     const double error = std::abs(result.pn[0] / (GetParam().pressure * problem.force) - 1);
     if (previous > 0) {

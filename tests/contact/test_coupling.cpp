@@ -20,7 +20,7 @@ TEST(Coupling, UnlikeMaterialsConverge) {
   for (const double mu : {0.1, 0.3, 1.0}) {
     scenes::set_creepage(problem, mu, 5e-4, 2e-4, 1e-4);
     const ContactResult result = solve(problem);
-    EXPECT_TRUE(result.converged) << mu << ' ' << result.remark;
+    EXPECT_TRUE(result.converged) << mu << ' ' << result.solver_note;
     EXPECT_GT(result.outer_iterations, 1);
   }
 }
@@ -110,7 +110,7 @@ TEST(Coupling, FreeRollingOfUnlikeBodiesIsNotFreeOfForce) {
   ContactProblem problem = roller({23000, 0.31}, {82000, 0.28}, 24);
   scenes::set_creepage(problem, 0.3, 0, 0, 0);
   const ContactResult result = solve(problem);
-  ASSERT_TRUE(result.converged) << result.remark;
+  ASSERT_TRUE(result.converged) << result.solver_note;
   ContactProblem exchanged = roller({82000, 0.28}, {23000, 0.31}, 24);
   scenes::set_creepage(exchanged, 0.3, 0, 0, 0);
   const ContactResult other = solve(exchanged);
@@ -133,13 +133,13 @@ TEST_P(Curved, ConvergesAndBalances) {
     scenes::rotate_numbers(problem);
     scenes::set_creepage(problem, mu, 4e-4, 3e-4, 3e-4);
     const ContactResult result = solve(problem);
-    ASSERT_TRUE(result.converged) << mu << ' ' << result.remark << result.certificate.worst();
+    ASSERT_TRUE(result.converged) << mu << ' ' << result.solver_note << result.certificate.worst();
     EXPECT_NEAR(result.Fz, 30000, 1e-6 * 30000);
     EXPECT_GT(result.outer_iterations, 1);
     problem.load = LoadKind::approach;
     problem.approach = result.approach;
     const ContactResult again = solve(problem);
-    ASSERT_TRUE(again.converged) << again.remark;
+    ASSERT_TRUE(again.converged) << again.solver_note;
     EXPECT_NEAR(again.Fz, result.Fz, 1e-5 * result.Fz);
     EXPECT_NEAR(again.Fx, result.Fx, 1e-5 * result.Fz);
     EXPECT_NEAR(again.Fy, result.Fy, 1e-5 * result.Fz);

@@ -52,12 +52,12 @@ struct Tally {
 TEST(ErrorEstimates, SayWhyThereAreNone) {
   const ContactResult coarse = solve(ellipse(1e-3, 1e-3, 10, 0, 0));
   EXPECT_FALSE(coarse.discretisation);
-  EXPECT_NE(coarse.unestimated.find("40 are needed. Give smaller elements"), std::string::npos)
-      << coarse.unestimated;
-  EXPECT_EQ(solve(ellipse(1e-3, 1e-3, 20, 0, 0)).unestimated, "");
+  EXPECT_NE(coarse.why_no_errors.find("40 are needed. Give smaller elements"), std::string::npos)
+      << coarse.why_no_errors;
+  EXPECT_EQ(solve(ellipse(1e-3, 1e-3, 20, 0, 0)).why_no_errors, "");
   SolverOptions options;
   options.estimate_discretisation = false;
-  EXPECT_NE(solve(ellipse(1e-3, 1e-3, 20, 0, 0), options).unestimated, "");
+  EXPECT_NE(solve(ellipse(1e-3, 1e-3, 20, 0, 0), options).why_no_errors, "");
 }
 
 /// In one row of elements there is no border that averages out: against Carter 1926.
@@ -196,8 +196,8 @@ TEST(ErrorEstimates, HoldForShearForces) {
       ASSERT_TRUE(result.converged && result.discretisation && fine.converged);
       fx.add(result.discretisation->errors.Fx, result.Fx, fine.Fx);
       fs.add(result.discretisation->errors.Fs, result.Fs, fine.Fs);
-      power.add(result.discretisation->errors.friction_power, friction_power(result, problem.element_area()),
-                friction_power(fine, fine_problem.element_area()));
+      power.add(result.discretisation->errors.T_gamma, T_gamma(result, problem.element_area()),
+                T_gamma(fine, fine_problem.element_area()));
       EXPECT_LE(std::abs(result.Mz - fine.Mz), result.discretisation->moment_error(result, 0, 0)) << xi;
     }
   for (const Tally* tally : {&fx, &fs, &power})

@@ -144,7 +144,7 @@ TEST(FlashTemperature, OfASlidingContact) {
   problem.speed = 2e4;
   problem.heating = Heating{};
   const ContactResult r = solve(problem, {.estimate_discretisation = false});
-  ASSERT_TRUE(r.converged) << r.remark;
+  ASSERT_TRUE(r.converged) << r.solver_note;
   ASSERT_TRUE(r.temperatures);
   const double p0 = largest_pressure(r), a = std::sqrt(1.5 * problem.force / (std::numbers::pi * p0));
   const double expected =

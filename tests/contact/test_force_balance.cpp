@@ -104,7 +104,7 @@ TEST(ForceBalance, OnAPlaneThatAllSlipsOnItIsTheClosedForm) {
           continue;
         const ContactProblem problem = sliding(delta, mu, eta);
         const ContactResult result = solve(problem);
-        ASSERT_TRUE(result.converged) << mu << ' ' << eta << ' ' << degrees << ' ' << result.remark;
+        ASSERT_TRUE(result.converged) << mu << ' ' << eta << ' ' << degrees << ' ' << result.solver_note;
         EXPECT_NEAR(pressure_force(problem, result), problem.force / share, 1e-6 * problem.force / share);
         EXPECT_LE(result.outer_iterations, 5) << mu << ' ' << eta << ' ' << degrees;
       }

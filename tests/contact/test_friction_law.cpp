@@ -19,7 +19,7 @@ TEST(FrictionLaw, EachRowHasItsOwnCoefficient) {
   for (const ContactRow& row : problem.rows)
     problem.friction_rows.push_back(row.s < 0 ? 0.1 : 0.4);
   const ContactResult result = solve(problem);
-  ASSERT_TRUE(result.converged) << result.remark;
+  ASSERT_TRUE(result.converged) << result.solver_note;
   double expected = 0;
   for (int i = 0; i < problem.grid.size(); ++i) {
     const double bound = problem.friction_of(i / problem.grid.mx) * result.pn[i];
@@ -55,7 +55,7 @@ TEST(FrictionLaw, SlipIsKineticOnAFlange) {
   for (const double xi : {2e-3, 3e-3}) {
     scenes::set_creepage(problem, 0.5, xi, 2e-3, 0);
     const ContactResult result = solve(problem, scenes::without_estimate);
-    EXPECT_TRUE(result.converged) << xi << ' ' << result.certificate.worst() << ' ' << result.remark;
+    EXPECT_TRUE(result.converged) << xi << ' ' << result.certificate.worst() << ' ' << result.solver_note;
     EXPECT_LT(result.outer_iterations, 25) << xi;
   }
 }
@@ -67,7 +67,7 @@ TEST(FrictionLaw, SlipIsKinetic) {
   const ContactResult stronger = solve(problem);
   problem.kinetic = 0.75;
   const ContactResult result = solve(problem);
-  ASSERT_TRUE(result.converged) << result.remark << result.certificate.worst();
+  ASSERT_TRUE(result.converged) << result.solver_note << result.certificate.worst();
   problem.friction = 0.3;
   problem.kinetic = 1;
   const ContactResult weaker = solve(problem);
@@ -91,7 +91,7 @@ TEST(FrictionLaw, KineticFullSlip) {
   problem.kinetic = 0.5;
   scenes::set_creepage(problem, 0.4, 0, -0.03, 0);
   const ContactResult result = solve(problem);
-  ASSERT_TRUE(result.converged) << result.remark;
+  ASSERT_TRUE(result.converged) << result.solver_note;
   EXPECT_NEAR(result.Fy, -0.2 * problem.force, 1e-3 * problem.force);
 }
 
@@ -122,7 +122,7 @@ TEST(FrictionLaw, DisplacementsAndPowerBelongToTheResult) {
   const ContactResult without = solve(problem, {.estimate_discretisation = false});
   EXPECT_TRUE(without.displacements.un.empty());
   EXPECT_EQ(without.certificate.worst(), result.certificate.worst());
-  const std::vector<double> power = friction_power(result);
+  const std::vector<double> power = friction_work_density(result);
   for (int i = 0; i < problem.grid.size(); ++i) {
     EXPECT_NEAR(result.deformed_distance[i], problem.gap[i] - result.approach - u.un[i], 1e-9);
     EXPECT_GE(power[i], -1e-9) << "slip never feeds power in";

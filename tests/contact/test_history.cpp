@@ -37,7 +37,7 @@ TEST(History, FromCattaneoToCarterByForce) {
     const auto steps = solve_history(
         problem, 3 * across, [](int, ContactProblem&) {}, scenes::without_estimate);
     for (const ContactResult& step : steps) {
-      ASSERT_TRUE(step.converged) << step.remark;
+      ASSERT_TRUE(step.converged) << step.solver_note;
       EXPECT_NEAR(step.Fx, *problem.force_x, 1e-6 * *problem.force_x);
     }
     EXPECT_LT(steps.front().creepage_x, 0.6 * carter_creepage) << "a transient it is";
@@ -60,7 +60,7 @@ TEST(History, EndsInTheSteadyState) {
   const auto steps = solve_history(
       problem, 45, [](int, ContactProblem&) {}, scenes::without_estimate);
   for (const ContactResult& step : steps)
-    ASSERT_TRUE(step.converged) << step.remark;
+    ASSERT_TRUE(step.converged) << step.solver_note;
   EXPECT_LT(steps.front().Fy, 0.3 * steady.Fy);
   EXPECT_NEAR(steps.back().Fx, steady.Fx, 0.005 * steady.Fy);
   EXPECT_NEAR(steps.back().Fy, steady.Fy, 0.005 * steady.Fy);
@@ -101,7 +101,7 @@ TEST(History, ShiftThereAndBack) {
   const auto steps = solve_history(
       problem, 2, [&](int k, ContactProblem& p) { p.force_x = k == 0 ? there : 0.0; },
       scenes::without_estimate);
-  ASSERT_TRUE(steps[0].converged && steps[1].converged) << steps[1].remark;
+  ASSERT_TRUE(steps[0].converged && steps[1].converged) << steps[1].solver_note;
   // Mindlin and Deresiewicz 1953: unloading slips in from the edge by half of the force's change
   const auto shift = [&](double force) { return 1 - std::pow(1 - force / (0.4 * problem.force), 2.0 / 3); };
   EXPECT_NEAR(steps[1].creepage_x / steps[0].creepage_x, -2 * shift(there / 2) / shift(there), 0.01);
@@ -120,15 +120,16 @@ TEST(History, Spence) {
   for (const int across : {10, 20, 40}) {
     const int n = across * 6 / 5, steps = std::min(across, 20);
     ContactProblem problem = scenes::flat(material, material, n, n, 2 * a / across, 2 * a / across, gap, gap);
-    problem.numbers = halfspace::numbers(material, problem.grid.dx, problem.grid.ds, problem.grid.mx + 2,
-                                         problem.grid.ms); // the upper body is rigid
+    problem.numbers =
+        halfspace::influence_numbers(material, problem.grid.dx, problem.grid.ds, problem.grid.mx + 2,
+                                     problem.grid.ms); // the upper body is rigid
     problem.motion = MotionKind::shift;
     scenes::set_creepage(problem, 0.2986, 0, 0, 0);
     const auto results = solve_history(
         problem, steps, [&](int k, ContactProblem& p) { p.force = force * std::pow((k + 1.0) / steps, 3); },
         scenes::without_estimate);
     for (const ContactResult& step : results)
-      ASSERT_TRUE(step.converged) << step.remark << step.certificate.worst();
+      ASSERT_TRUE(step.converged) << step.solver_note << step.certificate.worst();
     const ContactResult& last = results.back();
     double stick = 0;
     for (const ElementState state : last.state)

@@ -60,7 +60,7 @@ TEST(Lines, OfUnlikeRollersWithAForceTakeTheirTime) {
   for (int k = 0; k < tests::alike(40); ++k) {
     const ContactProblem problem = random_rollers(random);
     const ContactResult r = solve(problem, scenes::without_estimate);
-    ASSERT_TRUE(r.converged) << k << ' ' << r.remark << r.certificate.worst();
+    ASSERT_TRUE(r.converged) << k << ' ' << r.solver_note << r.certificate.worst();
     work.push_back(r.work);
   }
   std::ranges::sort(work);

@@ -39,7 +39,7 @@ TEST(Loads, CattaneoByForce) {
     problem.force_x = along_x ? shear : 0;
     problem.force_s = along_x ? 0 : shear;
     const ContactResult result = solve(problem);
-    ASSERT_TRUE(result.converged) << result.remark;
+    ASSERT_TRUE(result.converged) << result.solver_note;
     EXPECT_NEAR(along_x ? result.Fx : result.Fs, shear, 1e-6 * shear);
     const double shift = along_x ? result.creepage_x : result.creepage_s;
     EXPECT_NEAR(shift, 0.00816, 0.00001);
@@ -59,7 +59,7 @@ TEST(Loads, CattaneoConverges) {
     problem.force_x = 7.0 / 8 * cattaneo_friction * problem.force;
     const auto exact = reference::cattaneo(material, 1, problem.force, cattaneo_friction, *problem.force_x);
     const ContactResult result = solve(problem);
-    ASSERT_TRUE(result.converged) << result.remark;
+    ASSERT_TRUE(result.converged) << result.solver_note;
     EXPECT_NEAR(result.creepage_x, exact.shift, 0.002 * exact.shift);
     const double peak = cattaneo_friction * 1.5 * problem.force / std::numbers::pi;
     double square = 0, norm = 0;
@@ -85,7 +85,7 @@ TEST(Loads, ShiftAndForceAreTheSameProblem) {
   problem.force_x = 0.6 * cattaneo_friction * cattaneo_force;
   problem.force_s = 0.3 * cattaneo_friction * cattaneo_force;
   const ContactResult by_force = solve(problem);
-  ASSERT_TRUE(by_force.converged) << by_force.remark;
+  ASSERT_TRUE(by_force.converged) << by_force.solver_note;
   problem.force_x = problem.force_s = std::nullopt;
   scenes::set_creepage(problem, cattaneo_friction, by_force.creepage_x, by_force.creepage_s, 0);
   const ContactResult by_shift = solve(problem);
@@ -115,7 +115,7 @@ TEST(Loads, CreepagesOfSteadyRolling) {
     problem.force_x = c.fx ? std::optional(*c.fx * carried) : std::nullopt;
     problem.force_s = c.fs ? std::optional(*c.fs * carried) : std::nullopt;
     const ContactResult result = solve(problem, {.estimate_discretisation = false});
-    EXPECT_TRUE(result.converged) << result.remark << result.certificate.worst();
+    EXPECT_TRUE(result.converged) << result.solver_note << result.certificate.worst();
     EXPECT_NEAR(result.Fx, c.fx.value_or(result.Fx / carried) * carried, 1e-6 * carried);
     EXPECT_NEAR(result.Fy, c.fs.value_or(result.Fy / carried) * carried, 1e-6 * carried);
     EXPECT_LT(result.creepage_iterations, 60);
@@ -190,7 +190,7 @@ TEST(Loads, ForcesThatSlipDoesNotCarryAreFoundOrRefused) {
   const double carried = 0.3 * problem.force;
   problem.force_s = 0.65 * carried;
   const ContactResult result = solve(problem, {.estimate_discretisation = false});
-  EXPECT_TRUE(result.converged) << result.remark;
+  EXPECT_TRUE(result.converged) << result.solver_note;
   EXPECT_NEAR(result.Fs, 0.65 * carried, 1e-6 * carried);
   problem.force_s = 0.95 * carried;
   try {
@@ -222,7 +222,7 @@ TEST(Loads, BentallJohnson) {
   double previous = 0;
   for (const int across : {20, 40, 80}) {
     const ContactResult result = solve(unlike_rollers(mu, across), {.estimate_discretisation = false});
-    ASSERT_TRUE(result.converged) << result.remark;
+    ASSERT_TRUE(result.converged) << result.solver_note;
     const double error = std::abs(result.creepage_x / bentall_johnson - 1);
     if (previous > 0) {
       EXPECT_LT(error, 0.6 * previous) << across;
@@ -242,7 +242,7 @@ TEST(Loads, CreepagesOfVanishingFriction) {
       if (lateral)
         problem.force_s = 0.0;
       const ContactResult result = solve(problem, {.estimate_discretisation = false});
-      EXPECT_TRUE(result.converged) << mu << ' ' << lateral << ' ' << result.remark;
+      EXPECT_TRUE(result.converged) << mu << ' ' << lateral << ' ' << result.solver_note;
       EXPECT_NEAR(result.creepage_x, bentall_johnson, 0.01 * bentall_johnson) << mu;
       EXPECT_NEAR(result.creepage_s, 0, 1e-6 * bentall_johnson) << mu;
     }

@@ -43,7 +43,7 @@ TEST(Metamorphic, MetresAndPascals) {
     h *= 1e-3;
   creep(si, 5e-4, 3e-4, 1e-1, 0, 0);
   const ContactResult mm = solve(problem), m = solve(si);
-  ASSERT_TRUE(mm.converged && m.converged) << m.remark;
+  ASSERT_TRUE(mm.converged && m.converged) << m.solver_note;
   EXPECT_NEAR(m.Fx, mm.Fx, 1e-6 * mm.Fx);
   EXPECT_NEAR(m.Fy, mm.Fy, 1e-6 * mm.Fx);
   EXPECT_NEAR(m.Mz * 1e3, mm.Mz, 1e-6 * std::abs(mm.Mz));
@@ -63,7 +63,7 @@ TEST(Metamorphic, TractionsSmallerThanAnyFloat) {
                                 {small * scenes::steel.shear_modulus, scenes::steel.poisson}, problem.grid);
     tiny.force *= small;
     const ContactResult a = solve(problem), b = solve(tiny);
-    ASSERT_TRUE(a.converged && b.converged) << b.remark;
+    ASSERT_TRUE(a.converged && b.converged) << b.solver_note;
     EXPECT_EQ(b.tangential_solver, a.tangential_solver);
     EXPECT_NEAR(b.Fx / small, a.Fx, 1e-6 * a.Fx);
     EXPECT_NEAR(b.Fy / small, a.Fy, 1e-6 * a.Fx);

@@ -47,7 +47,7 @@ TEST_P(Hertz, ForceGivesApproachPressureAndSemiAxes) {
   EXPECT_NEAR(result.approach, c.approach, 0.01 * c.approach);
   EXPECT_NEAR(patch.pmax, c.pmax, 0.01 * c.pmax);
   EXPECT_NEAR(patch.fn, c.force, 1e-9 * c.force);
-  EXPECT_NEAR(patch.approach, result.approach, 0.01 * c.approach);
+  EXPECT_NEAR(patch.overlap, result.approach, 0.01 * c.approach);
   // second moments of the elliptic pressure, <x^2> = a^2 / 5, give the semi-axes finer than counting elements
   double xx = 0, ss = 0, sum = 0;
   for (int i = 0; i < problem.grid.size(); ++i) {
@@ -161,7 +161,7 @@ TEST(Normal, TwoPatchesShareTheForce) {
   EXPECT_NEAR(result.patches[0].fn + result.patches[1].fn, 40000, 1e-6);
   EXPECT_NEAR(result.patches[0].s, -6, 0.5);
   EXPECT_NEAR(result.patches[1].s, 6, 0.5);
-  EXPECT_NEAR(result.patches[0].approach - result.patches[1].approach, 0.005, 1e-4);
+  EXPECT_NEAR(result.patches[0].overlap - result.patches[1].overlap, 0.005, 1e-4);
 }
 
 TEST(Normal, MirrorsInXAndInS) {
@@ -235,9 +235,9 @@ TEST(Normal, FallBackFindsTheSameAnswer) {
     problem.approach = 0.02;
     const ContactResult expected = solve(problem), result = solve(problem, hasty);
     ASSERT_TRUE(expected.converged);
-    ASSERT_TRUE(result.converged) << result.remark;
+    ASSERT_TRUE(result.converged) << result.solver_note;
     EXPECT_EQ(result.normal_solver, "MPRGP");
-    EXPECT_THAT(result.remark, testing::HasSubstr("active set"));
+    EXPECT_THAT(result.solver_note, testing::HasSubstr("active set"));
     EXPECT_NEAR(result.approach, expected.approach, 1e-7 * expected.approach);
     for (int i = 0; i < problem.grid.size(); ++i)
       EXPECT_NEAR(result.pn[i], expected.pn[i], 1e-5 * expected.patches[0].pmax);

@@ -176,7 +176,7 @@ TEST(Oracle, TranslationalNumbersGiveTheSameDisplacements) {
     for (double& v : problem.numbers.values) // nothing but x and s may be assumed
       v *= std::uniform_real_distribution<>(0.9, 1.1)(random);
     ASSERT_TRUE(problem.numbers.translational);
-    const InfluenceNumbers table = spelled_out(problem.numbers);
+    const InfluenceNumbers table = with_every_pair_of_rows(problem.numbers);
     const int n = mx * ms;
     std::vector<double> p(3 * n), once(3 * n), spelled(3 * n);
     for (double& v : p)
@@ -217,7 +217,7 @@ TEST(Oracle, BoxesActOnEachOtherAsTheirElementsDo) {
     for (int ix = 0; ix < mx; ++ix)
       if ((is >= 3 && is < 9 && ix >= 2 && ix < 11) || (is >= 30 && is < 38 && ix >= 18 && ix < 25))
         elements.push_back(is * mx + ix);
-  const InfluenceNumbers table = spelled_out(problem.numbers);
+  const InfluenceNumbers table = with_every_pair_of_rows(problem.numbers);
   for (const InfluenceNumbers* numbers :
        std::initializer_list<const InfluenceNumbers*>{&problem.numbers, &table}) {
     const contact::Boxes boxes = contact::boxes_around(elements, problem.grid, 1, !numbers->translational);
@@ -269,7 +269,7 @@ TEST(Oracle, TwoAreasFarApartAreSolvedAtOnce) {
   problem.gap = both;
   problem.force = 1e5;
   const ContactResult two = solve(problem);
-  ASSERT_TRUE(alone.converged && two.converged) << two.remark;
+  ASSERT_TRUE(alone.converged && two.converged) << two.solver_note;
   ASSERT_EQ(two.patches.size(), 2u);
   EXPECT_NEAR(two.patches[0].fn, two.patches[1].fn, 1e-4 * two.patches[0].fn);
   EXPECT_NEAR(two.patches[0].fn, alone.Fz, 1e-4 * alone.Fz);
@@ -332,7 +332,7 @@ TEST(Oracle, CoupledRollingOnRandomNumbers) {
     const ContactProblem problem = random_problem(random);
     const Tractions expected = relax(problem);
     const ContactResult result = solve(problem);
-    ASSERT_TRUE(result.converged) << k << ' ' << result.remark << ' ' << result.certificate.worst();
+    ASSERT_TRUE(result.converged) << k << ' ' << result.solver_note << ' ' << result.certificate.worst();
     for (int i = 0; i < problem.grid.size(); ++i) {
       EXPECT_NEAR(result.px[i], expected.p[0][i], 1e-5) << k;
       EXPECT_NEAR(result.ps[i], expected.p[1][i], 1e-5) << k;
@@ -358,7 +358,8 @@ TEST(Oracle, ForceIsTheInverseOfApproach) {
     problem.load = LoadKind::force;
     problem.force = at_approach.Fz;
     const ContactResult at_force = solve(problem);
-    ASSERT_TRUE(at_force.converged) << k << ' ' << at_force.remark << ' ' << at_force.certificate.worst();
+    ASSERT_TRUE(at_force.converged) << k << ' ' << at_force.solver_note << ' '
+                                    << at_force.certificate.worst();
     EXPECT_NEAR(at_force.Fz, problem.force, 1e-6 * problem.force);
   }
 }

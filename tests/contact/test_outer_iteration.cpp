@@ -52,9 +52,10 @@ TEST(ToleranceSchedule, TightensWithTheChangeAndSettlesOnlyAtTheToleranceAsked) 
   EXPECT_TRUE(schedule.is_close(1e-9));
   schedule.tighten(1e-4, 1, 1);
   EXPECT_DOUBLE_EQ(schedule.now(), contact::tolerance_of_change * 1e-4);
-  schedule.tighten(contact::nearly_asked / contact::tolerance_of_change * 1.1e-8, 1, 1);
-  EXPECT_GT(schedule.now(), contact::nearly_asked * 1e-8);
-  schedule.tighten(contact::nearly_asked / contact::tolerance_of_change * 0.9e-8, 1, 1); // may be the last
+  schedule.tighten(contact::final_tolerance_ratio / contact::tolerance_of_change * 1.1e-8, 1, 1);
+  EXPECT_GT(schedule.now(), contact::final_tolerance_ratio * 1e-8);
+  schedule.tighten(contact::final_tolerance_ratio / contact::tolerance_of_change * 0.9e-8, 1,
+                   1); // may be the last
   EXPECT_EQ(schedule.now(), 1e-8);
   schedule.tighten(2e-5, 1e-2, 1); // too much of this change may be left
   EXPECT_DOUBLE_EQ(schedule.now(), contact::tolerance_of_change * 2e-5);
@@ -113,7 +114,7 @@ TEST(LargerElements, TheirInfluenceNumbersAreMeansOverElements) {
     ContactProblem problem = scenes::flat(scenes::steel, scenes::steel, 6, 7, 0.5, 0.4, 1e-3, 1e-3);
     InfluenceNumbers& fine = problem.numbers;
     if (!translational)
-      fine = spelled_out(fine);
+      fine = with_every_pair_of_rows(fine);
     for (std::size_t i = 0; i < fine.values.size(); ++i)
       fine.values[i] = std::sin(1.0 + 37.0 * static_cast<double>(i));
     std::vector<double> pn(problem.grid.size(), 0.0);

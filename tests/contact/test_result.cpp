@@ -47,10 +47,10 @@ TEST(ContactResult, NoShearForceIsLargerThanTheFrictionBound) {
 TEST(ContactResult, WithoutSlipFrictionHasNoPower) {
   Pressed p(std::vector<double>(12, 1.0));
   p.result.px = p.result.ps = std::vector<double>(12, 0.1);
-  EXPECT_EQ(friction_power(p.result, 1), 0);
+  EXPECT_EQ(T_gamma(p.result, 1), 0);
   p.result.slip_x.assign(12, 0.5);
   p.result.slip_s.assign(12, -0.2);
-  EXPECT_NEAR(friction_power(p.result, 1), 12 * (0.1 * 0.5 - 0.1 * 0.2), 1e-15);
+  EXPECT_NEAR(T_gamma(p.result, 1), 12 * (0.1 * 0.5 - 0.1 * 0.2), 1e-15);
 }
 
 } // namespace

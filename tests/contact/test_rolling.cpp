@@ -46,7 +46,7 @@ TEST(Rolling, Carter) {
     problem.force = fn * length;
     scenes::set_creepage(problem, mu, mu * (1 - adhering) / radius, 0, 0);
     const ContactResult result = solve(problem);
-    ASSERT_TRUE(result.converged) << result.remark;
+    ASSERT_TRUE(result.converged) << result.solver_note;
     const double error = std::abs(result.Fx / (mu * fn * length) - (1 - adhering * adhering)) / 0.64;
     if (previous > 0) {
       EXPECT_LT(error, 0.7 * previous) << across;
@@ -102,7 +102,7 @@ TEST_P(Kalker, CoefficientsOfSmallCreepage) {
   for (int i = 0; i < 3; ++i) {
     scenes::set_creepage(problem, 1e6, i == 0 ? unit : 0, i == 1 ? unit : 0, i == 2 ? unit : 0);
     const ContactResult result = solve(problem);
-    ASSERT_TRUE(result.converged) << result.remark;
+    ASSERT_TRUE(result.converged) << result.solver_note;
     ASSERT_TRUE(result.discretisation);
     fine[i] = {result.Fx, result.Fy, result.Fz, result.Mz, result.approach};
     coarse[i] = result.discretisation->coarse;
@@ -195,7 +195,7 @@ TEST(Rolling, NewtonNeedsHardlyMoreStepsOnAFinerGrid) {
     problem.approach = 0.01;
     const ContactResult r =
         solve(problem, {.only_newton = true, .estimate_discretisation = false, .coarse_start = false});
-    EXPECT_TRUE(r.converged) << r.remark;
+    EXPECT_TRUE(r.converged) << r.solver_note;
     return r.tangential_iterations;
   };
   EXPECT_LE(steps(160), 2 * steps(40));
@@ -319,7 +319,7 @@ TEST(Rolling, FrictionFromNoneToHuge) {
   for (const double mu : {0.0, 1e-9, 1e-3, 0.3, 10.0, 1e9}) {
     scenes::set_creepage(problem, mu, 5e-4, 3e-4, 2e-4);
     const ContactResult result = solve(problem);
-    EXPECT_TRUE(result.converged) << mu << ' ' << result.remark;
+    EXPECT_TRUE(result.converged) << mu << ' ' << result.solver_note;
     const double shear = std::hypot(result.Fx, result.Fy);
     EXPECT_LE(shear, mu * problem.force * (1 + 1e-9));
     if (mu > 0 && mu < 0.01) {
@@ -339,7 +339,7 @@ TEST(Rolling, ZeroAndTinyCreepage) {
   EXPECT_LT(std::abs(rest.Fx), 1e-9 * problem.force);
   scenes::set_creepage(problem, 0.3, 1e-9, 0, 0);
   const ContactResult tiny = solve(problem);
-  EXPECT_TRUE(tiny.converged) << tiny.remark;
+  EXPECT_TRUE(tiny.converged) << tiny.solver_note;
   scenes::set_creepage(problem, 1e6, 1e-9, 0, 0);
   const ContactResult linear = solve(problem);
   EXPECT_NEAR(tiny.Fx, linear.Fx, 0.01 * linear.Fx);
@@ -354,14 +354,14 @@ TEST(Rolling, TheChainFallsThroughAndSaysSo) {
   SolverOptions options;
   options.max_tangential = 2;
   const ContactResult swept = solve(problem, options);
-  EXPECT_TRUE(swept.converged) << swept.remark;
+  EXPECT_TRUE(swept.converged) << swept.solver_note;
   EXPECT_EQ(swept.tangential_solver, "sweeps");
-  EXPECT_THAT(swept.remark, testing::HasSubstr("Newton"));
+  EXPECT_THAT(swept.solver_note, testing::HasSubstr("Newton"));
   options.max_tangential = 0;
   options.max_sweeps = 40;
   options.tolerance = 3e-7;
   const ContactResult rolled = solve(problem, options);
-  EXPECT_TRUE(rolled.converged) << rolled.remark;
+  EXPECT_TRUE(rolled.converged) << rolled.solver_note;
   EXPECT_THAT(rolled.tangential_solver, testing::HasSubstr("rolling on"));
   for (const ContactResult* result : {&swept, &rolled}) {
     EXPECT_NEAR(result->Fx, expected.Fx, 1e-4 * expected.Fx);

@@ -39,7 +39,7 @@ double decades(double from, double to) {
 
 /// Symmetric as influence numbers are (Maxwell-Betti, parity), of both signs, no translation in s.
 void disturb(InfluenceNumbers& a) {
-  a = spelled_out(a);
+  a = with_every_pair_of_rows(a);
   std::mt19937 engine(integer(0, 1 << 20));
   std::uniform_real_distribution<> noise(-0.01, 0.01);
   for (int m = 0; m < a.offsets; ++m)
@@ -163,7 +163,7 @@ void compare(const ContactProblem& problem, Seen& seen) {
   options.estimate_discretisation = false;
   const ContactResult result = solve(problem, options);
   if (!result.converged)
-    RC_FAIL("not certified: " + result.remark);
+    RC_FAIL("not certified: " + result.solver_note);
   const textbook::Solution expected = textbook::solve(problem);
   if (!expected.found)
     RC_FAIL("the textbook did not end");
@@ -225,7 +225,7 @@ void solve_wedged(ContactProblem problem, Wedged& seen) {
   try {
     const ContactResult result = solve(problem, options);
     if (!result.converged)
-      RC_FAIL("not certified: " + result.remark);
+      RC_FAIL("not certified: " + result.solver_note);
     ++seen.certified;
     seen.balanced_apart += result.outer_iterations > options.max_outer;
   } catch (const InputError& error) {

@@ -152,7 +152,7 @@ protected:
 TEST_F(Solid, flat_block_converges_to_the_halfspace) {
   write_box(folder_ / "box.msh");
   BodyFile body = block();
-  const InfluenceNumbers exact = halfspace::numbers(body.material, 1, 1, 4, 8);
+  const InfluenceNumbers exact = halfspace::influence_numbers(body.material, 1, 1, 4, 8);
   double before = 0;
   for (const int elements : {2, 4}) {
     body.solid.elements_per_load = elements;

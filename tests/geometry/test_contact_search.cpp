@@ -38,7 +38,7 @@ void compare_with_brute_force(const TabulatedProfile& rail, const TabulatedProfi
     position.lateral = uniform(-10, 10);
     position.yaw = uniform(-0.024, 0.024);
     position.roll = uniform(-0.01, 0.01);
-    position.cant = 0.025 * (i % 3);
+    position.rail_inclination = 0.025 * (i % 3);
     position.rail_lateral = uniform(-2, 2);
     position.rail_vertical = uniform(-2, 2);
     position.rail_roll = uniform(-0.01, 0.01);

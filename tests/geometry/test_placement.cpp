@@ -31,7 +31,7 @@ WheelsetPosition at_lateral(double lateral) {
 TEST(Placement, TheGaugeFaceIsAtHalfTheGauge) {
   for (const double cant : {0.0, 0.025, 0.05}) {
     WheelsetPosition position;
-    position.cant = cant;
+    position.rail_inclination = cant;
     const WheelOnRail pair = s1002_on_60e1(position);
     double top = 1e9, face = 1e9;
     const auto scan = [&](auto visit) {
@@ -53,7 +53,7 @@ TEST(Placement, TheRailWithoutCantStandsHalfItsHeadBeyondTheGaugeFace) {
 
 TEST(Placement, CantLeansTheRailTowardsTheTrackCentre) {
   WheelsetPosition position;
-  position.cant = 0.025;
+  position.rail_inclination = 0.025;
   const WheelOnRail pair = s1002_on_60e1(position);
   const Point2 up = pair.rail_pose.to_track({0, -1}) - pair.rail_pose.to_track({0, 0});
   EXPECT_NEAR(up.y, -std::sin(0.025), 1e-12);
@@ -77,7 +77,7 @@ TEST(Placement, RollAboutTheWheelsetsCentreLowersTheRightWheel) {
 
 TEST(Placement, TheLeftWheelIsTheMirrorImage) {
   WheelsetPosition right, left;
-  right.lateral = 3, right.yaw = 0.01, right.roll = 0.02, right.cant = 0.025;
+  right.lateral = 3, right.yaw = 0.01, right.roll = 0.02, right.rail_inclination = 0.025;
   right.rail_lateral = 0.4, right.rail_vertical = 0.3, right.rail_roll = 0.01;
   left = right;
   left.side = WheelSide::left;
@@ -141,7 +141,7 @@ TEST(Placement, AbsolutePutsTheOriginsOfTheSections) {
   WheelsetPosition position;
   position.rail_origin = Point2{3, 2};
   position.wheel_origin = Point2{5, -1};
-  position.cant = 0.025;
+  position.rail_inclination = 0.025;
   position.lateral = 0.5;
   position.rail_vertical = 0.25;
   // Neither has a gauge face or a flange.

@@ -20,7 +20,7 @@ double expansion_error(const InfluenceFunction& f, double dx, int offsets) {
   options.structural = StructuralCompliance::included;
   const InfluenceNumbers a = expand(f, options);
   const InfluenceNumbers b =
-      spelled_out(halfspace::numbers(f.material, dx, f.station_width, offsets, a.rows));
+      with_every_pair_of_rows(halfspace::influence_numbers(f.material, dx, f.station_width, offsets, a.rows));
   EXPECT_EQ(a.values.size(), b.values.size());
   double error = 0;
   for (std::size_t i = 0; i < a.values.size(); ++i)
@@ -72,7 +72,8 @@ InfluenceFunction halfspace_table() {
   f.remote.clear();
   f.remote_self.clear();
   f.table_dx = 0.25;
-  const InfluenceNumbers numbers = spelled_out(halfspace::numbers(steel, 0.25, 0.2, 24, 5));
+  const InfluenceNumbers numbers =
+      with_every_pair_of_rows(halfspace::influence_numbers(steel, 0.25, 0.2, 24, 5));
   f.table.assign(numbers.values.begin(), numbers.values.end());
   return f;
 }

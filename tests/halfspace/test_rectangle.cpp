@@ -207,10 +207,10 @@ TEST(Rectangle, ScalesWithLengthAndStiffness) {
 }
 
 TEST(Rectangle, TableHoldsTheElementNumbers) {
-  const InfluenceNumbers table = halfspace::numbers(steel, 0.5, 0.2, 3, 4);
+  const InfluenceNumbers table = halfspace::influence_numbers(steel, 0.5, 0.2, 3, 4);
   ASSERT_TRUE(table.translational);
   ASSERT_EQ(table.values.size(), 3u * 7 * 9);
-  const InfluenceNumbers spelled = spelled_out(table);
+  const InfluenceNumbers spelled = with_every_pair_of_rows(table);
   ASSERT_EQ(spelled.values.size(), 3u * 12 * 12);
   for (int m = 0; m < 3; ++m)
     for (int row_i = 0; row_i < 4; ++row_i)
@@ -256,9 +256,11 @@ TEST(Rectangle, ElementsThatAreNoneAreRefused) {
               testing::HasSubstr("not a positive number"));
   EXPECT_THAT(message([&] { halfspace::averaged_line(steel, 0, 1, -1, line); }),
               testing::HasSubstr("width ds"));
-  EXPECT_THAT(message([] { halfspace::numbers(steel, 1, std::numeric_limits<double>::quiet_NaN(), 1, 1); }),
-              testing::HasSubstr("not a positive number"));
-  EXPECT_THAT(message([] { halfspace::numbers(steel, 1, 1, 0, 1); }), testing::HasSubstr("without elements"));
+  EXPECT_THAT(
+      message([] { halfspace::influence_numbers(steel, 1, std::numeric_limits<double>::quiet_NaN(), 1, 1); }),
+      testing::HasSubstr("not a positive number"));
+  EXPECT_THAT(message([] { halfspace::influence_numbers(steel, 1, 1, 0, 1); }),
+              testing::HasSubstr("without elements"));
 }
 
 TEST(PlaneStrain, NumbersAreTheLimitOfLongElements) {

@@ -44,7 +44,7 @@ InfluenceFunction bent_body(int stations, double width) {
 }
 
 double largest_difference(const InfluenceNumbers& first, const InfluenceNumbers& second) {
-  const InfluenceNumbers a = spelled_out(first), b = spelled_out(second);
+  const InfluenceNumbers a = with_every_pair_of_rows(first), b = with_every_pair_of_rows(second);
   EXPECT_EQ(a.values.size(), b.values.size());
   double error = 0;
   for (std::size_t i = 0; i < std::min(a.values.size(), b.values.size()); ++i)
@@ -73,7 +73,7 @@ TEST(Resample, OtherRowsOfAHalfSpaceAreTheClosedForms) {
   for (int i = 0; i < 9; ++i)
     rows.push_back(-1.6 + i * ds);
   const InfluenceNumbers a = halfspace::resample(f, options_for(0.4, 10), rows, ds);
-  const InfluenceNumbers b = halfspace::numbers(steel, 0.4, ds, 10, 9);
+  const InfluenceNumbers b = halfspace::influence_numbers(steel, 0.4, ds, 10, 9);
   const double error = largest_difference(a, b);
   std::printf("resampled half-space: %.2e of self\n", error);
   EXPECT_LT(error, 5e-5);
@@ -88,7 +88,7 @@ TEST(Resample, TheBodysOwnPartIsInterpolated) {
     rows.push_back(station.s);
   const InfluenceNumbers exact = expand(wanted, options_for(0.4, 3));
   std::array<double, 2> error{};
-  const InfluenceNumbers plain = halfspace::numbers(steel, 0.4, ds, 3, 9);
+  const InfluenceNumbers plain = halfspace::influence_numbers(steel, 0.4, ds, 3, 9);
   int run = 0;
   for (const double width : {0.8, 0.4}) { // centres lie at odd multiples of half a width
     const InfluenceNumbers a = halfspace::resample(bent_body(static_cast<int>(6.4 / width + 0.5), width),
@@ -191,7 +191,7 @@ TEST(Resample, RowsOffTheStripAreRefused) {
 }
 
 TEST(Combine, TurnsTheWheelIntoTheContactFrame) {
-  const InfluenceNumbers rail = halfspace::numbers({82000, 0.28}, 0.5, 0.2, 3, 4);
+  const InfluenceNumbers rail = halfspace::influence_numbers({82000, 0.28}, 0.5, 0.2, 3, 4);
   InfluenceNumbers wheel = rail;
   // A wheel of the same material whose rows run against its own s: the same half-space seen from below.
   for (int m = 0; m < 3; ++m)
@@ -225,21 +225,23 @@ TEST(LineStore, WhatIsKeptChangesNoNumber) {
       const InfluenceNumbers kept = halfspace::resample(f, options_for(dx, offsets), rows, 0.3, &known),
                              anew = halfspace::resample(f, options_for(dx, offsets), rows, 0.3);
       EXPECT_TRUE(kept.values == anew.values) << dx << " " << offsets << " " << stretch;
-      EXPECT_TRUE(halfspace::numbers(steel, dx, 0.3, offsets, 5, &known).values ==
-                  halfspace::numbers(steel, dx, 0.3, offsets, 5).values);
+      EXPECT_TRUE(halfspace::influence_numbers(steel, dx, 0.3, offsets, 5, &known).values ==
+                  halfspace::influence_numbers(steel, dx, 0.3, offsets, 5).values);
     }
 }
 
 TEST(Combine, RefusesToDoubleNumbersThatDependOnBothRows) {
-  EXPECT_THAT(
-      message_of([] { halfspace::combine_equal(spelled_out(halfspace::numbers(steel, 0.5, 0.2, 2, 3))); }),
-      testing::HasSubstr("depend on both rows"));
+  EXPECT_THAT(message_of([] {
+                halfspace::combine_equal(
+                    with_every_pair_of_rows(halfspace::influence_numbers(steel, 0.5, 0.2, 2, 3)));
+              }),
+              testing::HasSubstr("depend on both rows"));
 }
 
 TEST(Combine, RefusesDifferentGrids) {
-  const InfluenceNumbers a = halfspace::numbers(steel, 0.5, 0.2, 2, 3),
-                         b = halfspace::numbers(steel, 0.5, 0.21, 2, 3),
-                         c = halfspace::numbers(steel, 0.5, 0.2, 3, 3);
+  const InfluenceNumbers a = halfspace::influence_numbers(steel, 0.5, 0.2, 2, 3),
+                         b = halfspace::influence_numbers(steel, 0.5, 0.21, 2, 3),
+                         c = halfspace::influence_numbers(steel, 0.5, 0.2, 3, 3);
   EXPECT_THAT(message_of([&] { halfspace::combine(a, b); }), testing::HasSubstr("different grids"));
   EXPECT_THAT(message_of([&] { halfspace::combine(a, c); }), testing::HasSubstr("different grids"));
 }

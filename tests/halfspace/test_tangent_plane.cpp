@@ -28,7 +28,7 @@ TEST(TangentPlane, OnAFlatStripIsTheHalfSpace) {
   std::vector<ContactRow> rows;
   for (int i = 0; i < 5; ++i)
     rows.push_back({0, {0.3 * i, 0}, 0});
-  const InfluenceNumbers flat = numbers(steel, 0.5, 0.3, 4, 5);
+  const InfluenceNumbers flat = influence_numbers(steel, 0.5, 0.3, 4, 5);
   const InfluenceNumbers plane = plane_strain_numbers(steel, 0.3, 5, 100);
   const InfluenceNumbers a = tangent_plane_numbers(steel, {0.5, 0.3, 4}, rows);
   const InfluenceNumbers b = tangent_plane_numbers(steel, {0, 0.3}, rows);

@@ -55,9 +55,9 @@ const std::array<Lines, 4> sound{{
      "radius = -10",     "upper_radius = 9.8",
      "[solver]",         "model = \"tangent_plane\""},
     {"kind = \"wheel_rail\"", "rail.profile = \"60E1\"", "wheel.profile = \"S1002\"", "load.force = 1e4",
-     "[position]", "lateral = 2.0", "cant = 0.025", "roll = 0.0", "gauge = 1435", "gauge_height = 14",
-     "back_to_back = 1360", "wheel_radius = 460", "[motion]", "friction = 0.3", "xi = 1e-3", "[grid]",
-     "dx = 1.5", "ds = 1.0"},
+     "[position]", "lateral = 2.0", "rail_inclination = 0.025", "roll = 0.0", "gauge = 1435",
+     "gauge_height = 14", "back_to_back = 1360", "wheel_radius = 460", "[motion]", "friction = 0.3",
+     "xi = 1e-3", "[grid]", "dx = 1.5", "ds = 1.0"},
 }};
 
 /// Values that a hurried hand, a wrong unit or a script might leave.

@@ -35,7 +35,7 @@ ContactResult certified(const std::string& name, const std::string& what, const 
   ContactResult result = solve(problem, options);
   print_line(name, what, result);
   print_moved(name, problem, options);
-  EXPECT_TRUE(result.converged) << name << ": " << result.certificate.worst() << ' ' << result.remark;
+  EXPECT_TRUE(result.converged) << name << ": " << result.certificate.worst() << ' ' << result.solver_note;
   EXPECT_LE(result.certificate.worst(), 1e-6) << name;
   if (problem.has_friction()) {
     double carried = 0;
@@ -54,8 +54,8 @@ ContactResult certified_or_not_converged(const std::string& name, const std::str
     print_moved(name, problem, options);
     EXPECT_LE(result.certificate.worst(), 1e-6) << name;
   } else {
-    print_without_result(name, what, "not converged: " + result.remark);
-    EXPECT_FALSE(result.remark.empty()) << name << ": not converged, without a reason";
+    print_without_result(name, what, "not converged: " + result.solver_note);
+    EXPECT_FALSE(result.solver_note.empty()) << name << ": not converged, without a reason";
     EXPECT_GT(result.certificate.worst(), 1e-6) << name;
   }
   return result;

@@ -14,7 +14,7 @@ int adhering(double xi) {
   SolverOptions options;
   options.estimate_discretisation = false;
   const ContactResult result = solve(creeping(xi), options);
-  EXPECT_TRUE(result.converged) << xi << ' ' << result.remark;
+  EXPECT_TRUE(result.converged) << xi << ' ' << result.solver_note;
   return static_cast<int>(std::count(result.state.begin(), result.state.end(), ElementState::adhesion));
 }
 

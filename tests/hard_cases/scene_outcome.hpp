@@ -21,8 +21,8 @@ inline std::string outcome(const std::string& text, const std::filesystem::path&
     const ContactResult& result = solved.result;
     EXPECT_EQ(result.converged, result.certificate.holds());
     if (!result.converged) {
-      EXPECT_FALSE(result.remark.empty()) << "without a reason";
-      return "not converged: " + result.remark;
+      EXPECT_FALSE(result.solver_note.empty()) << "without a reason";
+      return "not converged: " + result.solver_note;
     }
     EXPECT_LE(result.certificate.worst(), 1e-6);
     const auto finite = [](const std::vector<double>& field) {

@@ -12,7 +12,7 @@ import numpy as np
 
 import bem_contact
 
-S1002 = {"wheel.profile": "S1002", "rail.profile": "60E1", "position.cant": 0.025}
+S1002 = {"wheel.profile": "S1002", "rail.profile": "60E1", "position.rail_inclination": 0.025}
 
 
 class Conicity(unittest.TestCase):
@@ -27,7 +27,7 @@ class Conicity(unittest.TestCase):
 
     def test_is_what_the_program_computes(self):
         r = bem_contact.conicity(changes=S1002, left_wheel="S1002", roll=True, to=4, step=0.5)
-        out = subprocess.run([os.environ["BEM_CONTACT"], "conicity", "--wheel", "S1002", "--rail", "60E1", "--cant", "0.025",
+        out = subprocess.run([os.environ["BEM_CONTACT"], "conicity", "--wheel", "S1002", "--rail", "60E1", "--rail-inclination", "0.025",
                               "--roll", "--to", "4", "--step", "0.5", "--json"], check=True, stdout=subprocess.PIPE).stdout
         expected = json.loads(out)
         for group in ("function", "conicity"):

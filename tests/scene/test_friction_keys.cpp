@@ -101,7 +101,7 @@ TEST(FrictionKeys, TemperaturesAreInTheResult) {
   const SceneResult hot = Sequence().solve(patch(
       "speed = 2e4\nxi = 0.02",
       flash + "temperature.hot_friction = 0.15\ntemperature.falls_from = 40\ntemperature.falls_to = 90"));
-  ASSERT_TRUE(hot.result.converged) << hot.result.remark;
+  ASSERT_TRUE(hot.result.converged) << hot.result.solver_note;
   EXPECT_LT(hot.result.Fx, 0.9 * r.result.Fx);
   EXPECT_GT(hot.result.Fx, 0.5 * r.result.Fx);
   EXPECT_LT(quantity("Tmax_rail").value(hot), hottest);
@@ -111,7 +111,7 @@ TEST(FrictionKeys, TemperaturesAreInTheResult) {
 TEST(FrictionKeys, ASecondCreepageIsSaid) {
   const std::string law = "falling_friction = 0.15\nhalf_slip_velocity = 1000\nspeed = 1e4\n";
   const SceneResult r = Sequence().solve(patch(law, "load.force_x = 27000"));
-  ASSERT_TRUE(r.result.converged) << r.result.remark;
+  ASSERT_TRUE(r.result.converged) << r.result.solver_note;
   const double velocity = -1000 * std::log2((0.9 - 0.5) / 0.5);
   EXPECT_THAT(r.warnings, Contains(HasSubstr(fmt::format("at some {:.3g} (slip velocity {:.3g} mm/s)",
                                                          velocity / 1e4, velocity))));
@@ -142,11 +142,11 @@ TEST(FrictionKeys, ASecondCreepageIsSaidOfRowsAndHeat) {
   for (const auto& [motion, heat] : {std::pair{of_rows, std::string()}, std::pair{of_rows, hot},
                                      std::pair{std::string("speed = 1e4\n"), hot}, std::pair{of_all, hot}}) {
     const SceneResult r = Sequence().solve(patch(motion, "load.force_x = 26000\n" + heat));
-    ASSERT_TRUE(r.result.converged) << r.result.remark;
+    ASSERT_TRUE(r.result.converged) << r.result.solver_note;
     const double velocity = velocity_said(r);
     ASSERT_GT(velocity, 2e4 * r.result.creepage_x) << motion << heat;
     const SceneResult there = Sequence().solve(patch(motion + fmt::format("xi = {}", velocity / 1e4), heat));
-    ASSERT_TRUE(there.result.converged) << there.result.remark;
+    ASSERT_TRUE(there.result.converged) << there.result.solver_note;
     EXPECT_NEAR(there.result.Fx, 26000, 0.005 * 26000) << motion << heat;
   }
 }
@@ -155,7 +155,7 @@ TEST(FrictionKeys, ASecondCreepageIsSaidOfRowsAndHeat) {
 TEST(FrictionKeys, ASecondSolutionIsSaid) {
   const SceneResult r =
       Sequence().solve(patch("falling_friction = 0.127\nhalf_slip_velocity = 0.3\nspeed = 1e4\nxi = 8e-4"));
-  ASSERT_TRUE(r.result.converged) << r.result.remark;
+  ASSERT_TRUE(r.result.converged) << r.result.solver_note;
   EXPECT_THAT(r.warnings,
               Contains(HasSubstr("this contact has two solutions: taken is the one that comes from "
                                  "adhesion (Fx")));

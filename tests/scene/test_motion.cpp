@@ -37,7 +37,7 @@ protected:
 TEST_F(MotionTables, ForcesPrescribedAreReached) {
   const SceneFile scene = patch("force_x = 1200\nforce_s = -500", "phi = 1e-4");
   const SceneResult r = Sequence().solve(with_model(scene, Model::halfspace));
-  ASSERT_TRUE(r.result.converged) << r.result.remark;
+  ASSERT_TRUE(r.result.converged) << r.result.solver_note;
   EXPECT_NEAR(r.result.Fx, 1200, 1e-2);
   EXPECT_NEAR(r.result.Fs, -500, 1e-2);
   // the creepages found, prescribed, give the same
@@ -170,7 +170,7 @@ TEST_F(MotionTables, AShiftOfAWheelDoesNotRoll) {
                                      "[motion]\nkind = 'shift'\nxi = 0.01\neta = 0.02\n"
                                      "[grid]\ndx = 1.0\nds = 0.5\n");
   const SceneResult r = Sequence().solve(with_model(scene, Model::halfspace));
-  ASSERT_TRUE(r.result.converged) << r.result.remark;
+  ASSERT_TRUE(r.result.converged) << r.result.solver_note;
   for (int i = 0; i < r.problem.grid.size(); ++i) {
     EXPECT_DOUBLE_EQ(r.problem.slip_x[i], 0.01) << "no spin of the geometry";
     EXPECT_DOUBLE_EQ(r.problem.slip_s[i],

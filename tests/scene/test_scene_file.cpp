@@ -85,7 +85,7 @@ TEST(SceneFile, a_wheel_on_a_rail) {
     poisson = 0.3
     [position]
     lateral = 6.5
-    cant = 0.025
+    rail_inclination = 0.025
     [load]
     approach = -0.1
     [motion]
@@ -103,7 +103,7 @@ TEST(SceneFile, a_wheel_on_a_rail) {
   EXPECT_EQ(f.wheel.material.poisson, 0.3);
   EXPECT_EQ(f.rail.material, Material{});
   EXPECT_EQ(f.position.lateral, 6.5);
-  EXPECT_EQ(f.position.cant, 0.025);
+  EXPECT_EQ(f.position.rail_inclination, 0.025);
   EXPECT_TRUE(f.load.approach.has_value());
   EXPECT_FALSE(f.load.force.has_value());
   EXPECT_EQ(f.load.approach, -0.1);

@@ -2,6 +2,8 @@
 
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/profile/worn/nominal_place.hpp"
+#include "bem_contact/scene/scene_reader.hpp"
+#include "tests/base/message.hpp"
 #include "tests/base/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -77,12 +79,30 @@ TEST(Warnings, ARailThatIsInclinedTwiceIsSaid) {
   };
   EXPECT_THAT(warnings(""), IsEmpty());
   EXPECT_THAT(
-      warnings("position.cant = 0.025"),
-      ElementsAre(HasSubstr("the rail's file is already inclined (about 1:40), and position.cant = 0.025")));
+      warnings("position.rail_inclination = 0.025"),
+      ElementsAre(HasSubstr(
+          "the rail's file is already inclined (about 1:40), and position.rail_inclination = 0.025")));
 }
 
-/// Only a cant makes it a warning.
-TEST(Warnings, NobodyLooksForAnInclinationWithoutCant) {
+/// Scenes of earlier versions are read, and say what the key is called now.
+TEST(Warnings, AKeyUnderItsFormerNameIsReadWithARemark) {
+  const std::string text = "rail.profile = '60E1'\nwheel.profile = 'S1002'\nload.force = 1e5\n";
+  const SceneFile scene = parse_scene_file(text + "position.cant = 0.025\n");
+  EXPECT_EQ(scene.position.rail_inclination, 0.025);
+  EXPECT_THAT(input_warnings(scene, set_up_contact(scene, read_profiles(scene))),
+              ElementsAre("position.cant is now called position.rail_inclination"));
+  SceneReader changed{SceneText(text)};
+  changed.set({"position.cant", 0.05});
+  EXPECT_EQ(changed.scene().position.rail_inclination, 0.05);
+  EXPECT_THAT(
+      message_of([&] { parse_scene_file(text + "[position]\ncant = 0.025\nrail_inclination = 0.025\n"); }),
+      HasSubstr("is the same key under its former name) Give one of them."));
+  EXPECT_THAT(message_of([&] { parse_scene_file(text + "position.cant = 0.7\n"); }),
+              HasSubstr("position.rail_inclination = 0.7 (out of range)"));
+}
+
+/// Only an inclination makes it a warning.
+TEST(Warnings, NobodyLooksForAnInclinationThatTurnsNothing) {
   const SceneFile scene =
       parse_scene_file("rail.profile = '" CONFORMAL_SOURCE_DIR
                        "/data/bodies/worn_rail.txt'\nwheel.profile = 'S1002'\nload.force = 1e4\n");
@@ -94,7 +114,7 @@ TEST(Warnings, NobodyLooksForAnInclinationWithoutCant) {
   input_warnings(scene, setup);
   EXPECT_FALSE(known());
   SceneFile canted = scene;
-  canted.position.cant = 0.025;
+  canted.position.rail_inclination = 0.025;
   input_warnings(canted, setup);
   EXPECT_TRUE(known());
 }

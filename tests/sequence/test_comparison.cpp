@@ -38,7 +38,7 @@ TEST(Comparison, AtEqualForcesAllModelsBearTheSame) {
 TEST(Comparison, OnATreadWhereTheLateralForceSaysLittleOfThePositionAllModelsStayInPlace) {
   const SceneFile scene =
       parse_scene_file("kind = 'wheel_rail'\nrail.profile = '60E1'\nwheel.profile = 'S1002'\n"
-                       "position.cant = 0.025\nload.force = 1e5\nmotion.friction = 0.3\n"
+                       "position.rail_inclination = 0.025\nload.force = 1e5\nmotion.friction = 0.3\n"
                        "grid.elements = 300\n");
   const Comparison c = Sequence().compare(scene, {Model::halfspace, Model::tangent_plane});
   const SceneResult &halfspace = c.at_forces[0], &planes = c.at_forces[1];

@@ -59,7 +59,7 @@ TEST(EarlyEnd, ARoughSolutionKnowsItsErrors) {
   EXPECT_NEAR(rough.Fz, precise.Fz, 3e-3 * precise.Fz);
   EXPECT_NEAR(rough.Fx, precise.Fx, 3e-3 * precise.Fz);
   EXPECT_NEAR(rough.Fy, precise.Fy, 3e-3 * precise.Fz);
-  ASSERT_TRUE(rough.discretisation) << rough.unestimated;
+  ASSERT_TRUE(rough.discretisation) << rough.why_no_errors;
   const TotalErrors &a = rough.discretisation->errors, &b = precise.discretisation->errors;
   for (const auto error : {&TotalErrors::Fx, &TotalErrors::Fy, &TotalErrors::pmax, &TotalErrors::area,
                            &TotalErrors::adhesion_share, &TotalErrors::approach})

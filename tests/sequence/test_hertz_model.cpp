@@ -63,7 +63,7 @@ TEST(HertzModel, AgreesWithTheHalfSpace) {
 TEST(HertzModel, IsWhatAutoTakesForAQuadratic) {
   const SceneResult r = Sequence().solve(hertz());
   EXPECT_EQ(r.model, Model::hertz);
-  EXPECT_THAT(r.reason, HasSubstr("within the 1 % allowed"));
+  EXPECT_THAT(r.why_this_model, HasSubstr("within the 1 % allowed"));
   SceneFile rolling = hertz();
   rolling.motion.frictionless = false;
   rolling.motion.xi = 1e-3;
@@ -102,7 +102,7 @@ TEST(HertzModel, OfAWheelOnTheTreadAgreesWithTheHalfSpaceWhereItIsTaken) {
   scene.solver.model_tolerance = 0.05;
   const SceneResult r = Sequence().solve(scene),
                     solved = Sequence().solve(with_model(scene, Model::halfspace));
-  EXPECT_EQ(r.model, Model::hertz) << r.reason;
+  EXPECT_EQ(r.model, Model::hertz) << r.why_this_model;
   const auto& [one, other] = std::pair{r.result.patches.at(0), solved.result.patches.at(0)};
   EXPECT_NEAR(one.pmax, other.pmax, 0.05 * other.pmax);
   EXPECT_NEAR(r.result.Fz, 3e3, 1e-3);
@@ -120,7 +120,7 @@ TEST(HertzModel, TheForcePointsAlongTheNormalAtTheCentre) {
     cylinder.grid.ms = 2 * static_cast<int>(std::lround(7.5 / ds));
     EXPECT_NEAR(Sequence().solve(with_model(cylinder, Model::hertz)).result.Fy, 0, 1e-3) << ds;
     SceneFile wheel =
-        parse_scene_file("rail.profile = '60E1'\nwheel.profile = 'S1002'\nposition.cant = 0.025\n"
+        parse_scene_file("rail.profile = '60E1'\nwheel.profile = 'S1002'\nposition.rail_inclination = 0.025\n"
                          "position.lateral = -6\nload.force = 1e5\nmotion.frictionless = true\n"
                          "[grid]\ndx = 0.2\nds = 0.1\n");
     wheel.grid.ds = 0.5 * ds;

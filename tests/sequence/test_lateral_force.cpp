@@ -205,7 +205,7 @@ TEST(PrescribedLateralForce, AStartThatIsASolutionIsSolvedOnce) {
 
 /// From beside the greatest force of the flange, where one rough solution misses the model's by much.
 TEST(PrescribedLateralForce, AForceNearTheGreatestIsFound) {
-  const std::string more = "motion.frictionless = true\nposition.cant = 0.05\n";
+  const std::string more = "motion.frictionless = true\nposition.rail_inclination = 0.05\n";
   const double force = Sequence().solve(rolling_at(6.75, more)).result.Fy;
   for (const double start : {6.65, 6.85}) {
     const SceneResult found =
@@ -219,7 +219,7 @@ TEST(PrescribedLateralForce, ATreadWhoseForceSaysLittleIsFoundWithinTheStatedErr
   NEEDS_NO_SANITIZER();
   // With friction, forces on the tread lie within 500 N over 6 mm, and each has an error of some ten newtons.
   const auto finer = [](double lateral) {
-    SceneFile scene = rolling_at(lateral, "position.cant = 0.025\n");
+    SceneFile scene = rolling_at(lateral, "position.rail_inclination = 0.025\n");
     scene.grid.dx = 0.6, scene.grid.ds = 0.4;
     return scene;
   };
@@ -249,7 +249,7 @@ TEST(PrescribedLateralForce, AnUnknownErrorOfTheForceIsWarnedOfToo) {
 }
 
 TEST(PrescribedLateralForce, ATreadWithoutFrictionIsFoundWithoutAWarning) {
-  const std::string more = "motion.frictionless = true\nposition.cant = 0.025\n";
+  const std::string more = "motion.frictionless = true\nposition.rail_inclination = 0.025\n";
   const SceneResult there = Sequence().solve(rolling_at(1, more));
   const SceneResult found =
       Sequence().solve(rolling_at(1.1, more + fmt::format("load.force_y = {:.17g}\n", there.result.Fy)));
@@ -261,7 +261,7 @@ TEST(PrescribedLateralForce, ATreadWithoutFrictionIsFoundWithoutAWarning) {
 }
 
 TEST(PrescribedLateralForce, TheLeastForceOfATreadIsFound) {
-  const std::string more = "motion.frictionless = true\nposition.cant = 0.05\n";
+  const std::string more = "motion.frictionless = true\nposition.rail_inclination = 0.05\n";
   const SceneResult there = Sequence().solve(rolling_at(-1, more));
   for (const double start : {-1.1, -0.9}) {
     const SceneResult found =
@@ -296,8 +296,9 @@ TEST(PrescribedLateralForce, ALeftWheelIsTheMirrorImage) {
 TEST(PrescribedLateralForce, TheReachableRangeIsTheSameWhateverWasWanted) {
   const std::regex range("between about (\\S+) and (\\S+) N");
   const auto reached = [&](const std::string& wanted) {
-    const std::string message = message_of(
-        [&] { Sequence().solve(rolling_at(0, "position.cant = 0.025\nload.force_y = " + wanted + "\n")); });
+    const std::string message = message_of([&] {
+      Sequence().solve(rolling_at(0, "position.rail_inclination = 0.025\nload.force_y = " + wanted + "\n"));
+    });
     std::smatch found;
     EXPECT_TRUE(std::regex_search(message, found, range)) << message;
     return found.empty() ? 0.0 : std::stod(found[2]);
@@ -306,7 +307,7 @@ TEST(PrescribedLateralForce, TheReachableRangeIsTheSameWhateverWasWanted) {
   EXPECT_NEAR(reached("-3e5"), most, 0.02 * most);
   EXPECT_NEAR(reached("2e5"), most, 0.02 * most);
   EXPECT_NO_THROW(Sequence().solve(
-      rolling_at(0, fmt::format("position.cant = 0.025\nload.force_y = {}\n", 0.98 * most))));
+      rolling_at(0, fmt::format("position.rail_inclination = 0.025\nload.force_y = {}\n", 0.98 * most))));
 }
 
 /// Where even the most elements that are tried miss the accuracy, the warning says so.
@@ -323,7 +324,7 @@ TEST(PrescribedLateralForce, TheWarningOfAMissedAccuracyNamesTheLimit) {
 /// it changes by.
 TEST(PrescribedLateralForce, TheReachableForcesAreThoseOfTheModel) {
   const std::regex range("between about (\\S+) and (\\S+) N, at (\\S+) and (\\S+) mm");
-  const std::string cant = "position.cant = 0.025\n";
+  const std::string cant = "position.rail_inclination = 0.025\n";
   for (const double start : {-4.0, 0.0}) {
     const std::string message =
         message_of([&] { Sequence().solve(rolling_at(start, cant + "load.force_y = 3e5\n")); });

@@ -67,7 +67,7 @@ TEST(ModelChoice, InAGrooveIsByTheTolerance) {
   EXPECT_EQ(choice(in_the_groove(), 0.001, pressure).model, Model::fem);
   const ModelChoice none = choice(in_the_groove(), 0.001, pressure, false);
   EXPECT_FALSE(none.enough);
-  EXPECT_THAT(none.reason, HasSubstr("names no influence files"));
+  EXPECT_THAT(none.why_this_model, HasSubstr("names no influence files"));
   EXPECT_GT(predicted_errors(Model::halfspace, in_the_groove()).pmax, 0.025);
 }
 
@@ -121,9 +121,9 @@ TEST(ModelChoice, IsAboutTheNamedQuantities) {
   EXPECT_EQ(choice(traits, 0.02, {ModelErrorOf::forces}).model, Model::halfspace);
   const ModelChoice creepage = choice(traits, 0.02, {ModelErrorOf::forces, ModelErrorOf::creepages});
   EXPECT_EQ(creepage.model, Model::fem);
-  EXPECT_THAT(creepage.reason, AllOf(HasSubstr("error of half-space theory is"),
-                                     HasSubstr("% in creepages, of tangent planes"),
-                                     HasSubstr("in creepages: more than the 2 % allowed")));
+  EXPECT_THAT(creepage.why_this_model, AllOf(HasSubstr("error of half-space theory is"),
+                                             HasSubstr("% in creepages, of tangent planes"),
+                                             HasSubstr("in creepages: more than the 2 % allowed")));
   traits.prescribed.force = false;
   EXPECT_EQ(choice(traits, 0.02, {ModelErrorOf::creepages}).model, Model::halfspace);
   EXPECT_THROW(parse_scene_file("kind = 'wheel_rail'\nrail.profile = '60E1'\nwheel.profile = 'S1002'\n"
@@ -154,17 +154,17 @@ TEST(ModelChoice, ClaimsNothingOfCreepForcesWithoutBodies) {
   const ModelChoice chosen = choice(rolling, 0.05, all_four, false);
   EXPECT_EQ(chosen.model, Model::halfspace);
   EXPECT_EQ(
-      chosen.reason,
+      chosen.why_this_model,
       fmt::format(
           "the normal turns by 5.7 degrees; the largest predicted error of half-space theory is {:.1f} % "
           "in pmax: within the 5 % allowed. Errors in forces, friction_power are not known without "
           "influence files of both bodies",
           100 * predicted_errors(Model::halfspace, rolling).pmax));
   const ModelChoice forces = choice(rolling, 0.05, {ModelErrorOf::forces}, false);
-  EXPECT_THAT(forces.reason, Not(HasSubstr("predicted")));
-  EXPECT_THAT(forces.reason, HasSubstr("errors in forces are not known without influence files"));
+  EXPECT_THAT(forces.why_this_model, Not(HasSubstr("predicted")));
+  EXPECT_THAT(forces.why_this_model, HasSubstr("errors in forces are not known without influence files"));
   rolling.prescribed.creepage = false;
-  EXPECT_THAT(choice(rolling, 0.05, all_four, false).reason, Not(HasSubstr("not known")));
+  EXPECT_THAT(choice(rolling, 0.05, all_four, false).why_this_model, Not(HasSubstr("not known")));
 }
 
 /// Files of the flange's strip alone: on the tread finite elements would be needed near free rolling, and
@@ -239,10 +239,10 @@ TEST(ModelChoice, AnswersAsTheModelThatItNames) {
     scene.solver.model_tolerance = tolerance;
     const SceneResult chosen = Sequence().solve(scene);
     const SceneResult asked = Sequence().solve(with_model(scene, chosen.model));
-    EXPECT_EQ(chosen.model, tolerance > 0.1 ? Model::halfspace : Model::fem) << chosen.reason;
+    EXPECT_EQ(chosen.model, tolerance > 0.1 ? Model::halfspace : Model::fem) << chosen.why_this_model;
     EXPECT_NEAR(chosen.result.Fy, asked.result.Fy, 1e-6 * asked.result.Fz);
-    EXPECT_THAT(chosen.reason, tolerance > 0.1 ? HasSubstr("within the 20 % allowed")
-                                               : HasSubstr("error of half-space theory is"));
+    EXPECT_THAT(chosen.why_this_model, tolerance > 0.1 ? HasSubstr("within the 20 % allowed")
+                                                       : HasSubstr("error of half-space theory is"));
   }
 }
 
@@ -255,7 +255,7 @@ TEST(ModelChoice, HoldsOnTheSolution) {
     scene.solver.model_tolerance = tolerance;
     const SceneResult r = Sequence().solve(scene);
     EXPECT_EQ(r.model, halfspace_pmax_error(r) <= tolerance ? Model::halfspace : Model::tangent_plane)
-        << tolerance << r.reason;
+        << tolerance << r.why_this_model;
   }
 }
 
@@ -286,7 +286,7 @@ TEST(ModelChoice, GoesUpWhereTheSolutionSaysSo) {
   ASSERT_LT(foreseen, found);
   scene.solver.model_tolerance = 0.5 * (foreseen + found);
   const SceneResult r = Sequence().solve(scene);
-  EXPECT_EQ(r.model, Model::tangent_plane) << r.reason;
+  EXPECT_EQ(r.model, Model::tangent_plane) << r.why_this_model;
   EXPECT_TRUE(r.result.converged);
 }
 

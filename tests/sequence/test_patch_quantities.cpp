@@ -112,8 +112,9 @@ TEST(PatchQuantities, SumsOverPatchesAreTheTotals) {
 /// The top of 60E1 is an arc of radius 300 mm about its axis; inclined by 1:40 a wheel touches it there.
 TEST(PatchQuantities, ATreadContactLiesOnTheRailsArcAndOnTheWheelsProfile) {
   constexpr double cant = 0.025;
-  const SceneResult r = solved("rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nload.force = 2e4\n"
-                               "position.cant = 0.025\nmotion.xi = 1e-3\n[grid]\ndx = 0.3\nds = 0.3\n");
+  const SceneResult r =
+      solved("rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nload.force = 2e4\n"
+             "position.rail_inclination = 0.025\nmotion.xi = 1e-3\n[grid]\ndx = 0.3\nds = 0.3\n");
   ASSERT_EQ(r.result.patches.size(), 1u);
   const double s = of(r, "s"), y = of(r, "rail_y");
   ASSERT_LT(std::abs(y), 10);

@@ -50,8 +50,9 @@ TEST(ResultWarnings, ElementsThatAreTooLargeAreSaidWithTheirSize) {
 /// A rail that leans so far inwards touches the flange beside its head.
 TEST(ResultWarnings, ContactBeyondTheHeadIsSaidWithItsDepth) {
   const auto at_cant = [](double cant) {
-    return on_standard_rail(fmt::format(
-        "load.force = 2e4\nmotion.frictionless = true\nposition.lateral = 6.0\nposition.cant = {}", cant));
+    return on_standard_rail(fmt::format("load.force = 2e4\nmotion.frictionless = true\nposition.lateral = "
+                                        "6.0\nposition.rail_inclination = {}",
+                                        cant));
   };
   EXPECT_THAT(at_cant(0.5).warnings, Contains(testing::ContainsRegex(
                                          "beyond the rail's head .1[89].. mm below the top of the rail")));

@@ -170,9 +170,9 @@ TEST(Scene, AutoAsksForFemWhereTheNormalTurns) {
   EXPECT_EQ(times_said(corner, "the finite-element model is needed here"), 1);
   EXPECT_EQ(times_said(corner, "three times the yield strength"), 1);
   EXPECT_EQ(corner.warnings.size(), 2u);
-  EXPECT_THAT(corner.reason, HasSubstr("names no influence files"));
+  EXPECT_THAT(corner.why_this_model, HasSubstr("names no influence files"));
   const SceneResult tread = Sequence().solve(with_model(wheel_on_rail(0, 1e4), std::nullopt));
-  EXPECT_THAT(tread.reason, HasSubstr("within the 1 % allowed"));
+  EXPECT_THAT(tread.why_this_model, HasSubstr("within the 1 % allowed"));
   EXPECT_TRUE(tread.warnings.empty());
 }
 
@@ -204,7 +204,7 @@ TEST(Scene, WithoutFrictionNoTangentialProblemIsSolved) {
 TEST(Scene, SteadyRollingWithGeometricSpinHolds) {
   const SceneResult r =
       Sequence().solve(with_model(wheel_on_rail(6.4, 5e4, "friction = 0.3"), Model::halfspace));
-  EXPECT_TRUE(r.result.certificate.holds()) << r.result.remark;
+  EXPECT_TRUE(r.result.certificate.holds()) << r.result.solver_note;
   EXPECT_GT(r.result.patches.at(0).slip, 0);
   EXPECT_GT(std::abs(r.moment), 0);
   EXPECT_LE(std::hypot(r.result.patches[0].fx, r.result.patches[0].fs), 0.3 * r.result.patches[0].fn);
@@ -285,7 +285,7 @@ TEST(Scene, CheckSaysWhatWouldBeSolved) {
 /// A strip that ends at 0 does not end at -0.
 TEST(Scene, CheckHasNoMinusZero) {
   SceneFile scene = wheel_on_rail(2.35, 1e5);
-  scene.position.cant = 0.025;
+  scene.position.rail_inclination = 0.025;
   const std::vector<std::string> lines = Sequence().check(scene).lines;
   EXPECT_THAT(lines, ::testing::Contains(HasSubstr("to = 0\n")));
   EXPECT_THAT(lines, ::testing::Not(::testing::Contains(HasSubstr("= -0\n"))));

@@ -168,8 +168,9 @@ TEST(Sequence, OtherScenesAreSolvedByThemselves) {
 
 /// On the few elements that come first pmax changes by a quarter from larger ones: no error can be told.
 TEST(Sequence, AnAccuracyIsReachedWherePmaxDoesNotConvergeAtFirst) {
-  const std::string scene = "rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nposition.cant = 0.025\n"
-                            "load.force = 8e4\nsolver.model = \"halfspace\"\n";
+  const std::string scene =
+      "rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nposition.rail_inclination = 0.025\n"
+      "load.force = 8e4\nsolver.model = \"halfspace\"\n";
   const double exact =
       largest_pressure(Sequence().solve(parse_scene_file(scene + "grid.dx = 0.25\ngrid.ds = 0.1\n")).result);
   for (const double accuracy : {0.05, 0.02}) {

@@ -220,9 +220,9 @@ TEST(ContactMotion, CostsWhatExactKinematicsSays) {
   const SceneResult undeformed = solved(gauge_corner(1e5, "removed"));
   const SceneResult placed = solved(gauge_corner(1e5, "removed", by_contact));
   EXPECT_FALSE(undeformed.structure);
-  ASSERT_TRUE(placed.structure && placed.structure->aside);
+  ASSERT_TRUE(placed.structure && placed.structure->shift_y);
   EXPECT_FALSE(placed.structure->rail);
-  EXPECT_NEAR(*placed.structure->aside, -0.054, 0.002);
+  EXPECT_NEAR(*placed.structure->shift_y, -0.054, 0.002);
   EXPECT_NEAR(placed.result.Fy / undeformed.result.Fy, 1.0087, 1.5e-3);
   EXPECT_LT(placed.structure->change, 1e-4);
 }
@@ -280,11 +280,11 @@ TEST(ContactMotion, SlidesNowhereOnTop) {
   // On a horizontal surface the approach is normal to it: nothing slides, nothing changes.
   SceneFile scene = with_model(gauge_corner(5e4, "removed", by_contact), Model::halfspace);
   scene.position.lateral = 0;
-  scene.position.cant = 0;
+  scene.position.rail_inclination = 0;
   const SceneResult placed = solved(scene);
   scene.solver.contact_motion = ContactMotion::linear;
   const SceneResult undeformed = solved(scene);
-  EXPECT_LT(std::abs(*placed.structure->aside), 0.1 * placed.result.approach);
+  EXPECT_LT(std::abs(*placed.structure->shift_y), 0.1 * placed.result.approach);
   EXPECT_NEAR(placed.result.Fy, undeformed.result.Fy, 2e-3 * placed.result.Fz);
 }
 
@@ -295,7 +295,7 @@ TEST(ContactMotion, ALeftWheelIsTheMirrorImage) {
   mirrored.position.lateral = -6.6;
   const SceneResult right = solved(scene), left = solved(mirrored);
   EXPECT_EQ(left.result.Fy, right.result.Fy);
-  EXPECT_EQ(*left.structure->aside, *right.structure->aside);
+  EXPECT_EQ(*left.structure->shift_y, *right.structure->shift_y);
 }
 
 TEST(StructuralMotion, WithFrictionTheBodiesStandToo) {

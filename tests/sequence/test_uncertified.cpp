@@ -30,14 +30,15 @@ TEST(Uncertified, NamesTheStepThatFailed) {
   ASSERT_TRUE(r.result.certificate.holds());
   const double worst = r.history[1].certificate.worst();
   ASSERT_GT(worst, 1e-6);
-  EXPECT_THAT(why_uncertified(r), AllOf(HasSubstr("step 2 of 3 is not a solution"),
-                                        HasSubstr(fmt::format("its worst violation is {:.1e}, 1e-06", worst)),
-                                        HasSubstr(r.history[1].remark)));
+  EXPECT_THAT(why_not_certified(r),
+              AllOf(HasSubstr("step 2 of 3 is not a solution"),
+                    HasSubstr(fmt::format("its worst violation is {:.1e}, 1e-06", worst)),
+                    HasSubstr(r.history[1].solver_note)));
   EXPECT_THAT(uncertified_error(r).what(), HasSubstr("The halfspace result is not a solution (step 2 of 3"));
 }
 
 TEST(Uncertified, ACertifiedResultHasNoReason) {
-  EXPECT_EQ(why_uncertified(of_steps("-0.01\n-0.02\n")), "");
+  EXPECT_EQ(why_not_certified(of_steps("-0.01\n-0.02\n")), "");
 }
 
 } // namespace

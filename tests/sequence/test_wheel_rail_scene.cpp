@@ -97,7 +97,7 @@ TEST(WheelRailScene, ASmallYawActsAsALateralVelocity) {
   const auto force = [&](const std::string& motion) {
     return sequence
         .solve(s1002_on_60e1(
-            0, "position.cant = 0.025\nposition.vertical = 0.23\nmotion.free_rolling = false\n"
+            0, "position.rail_inclination = 0.025\nposition.vertical = 0.23\nmotion.free_rolling = false\n"
                "motion.speed = 2e4\nmotion.pitch_rate = 43.4783\nsolver.model = \"halfspace\"\n" +
                    motion))
         .result.Fy;
@@ -122,7 +122,7 @@ TEST(WheelRailScene, AHeightOfTheWheelsetIsAnApproach) {
 
 TEST(WheelRailScene, ThePotentialContactHasAsManyAreasAsThereAre) {
   const auto areas = [](double lateral) {
-    const SceneFile scene = s1002_on_60e1(lateral, "load.force = 2e4\nposition.cant = 0.05\n");
+    const SceneFile scene = s1002_on_60e1(lateral, "load.force = 2e4\nposition.rail_inclination = 0.05\n");
     return potential_areas(*case_of(scene).estimate);
   };
   EXPECT_EQ(areas(0).size(), 1u);
@@ -195,7 +195,7 @@ std::size_t follow(double from, int steps, double step, const std::string& more)
   for (int i = 0; i <= steps; ++i) {
     const SceneFile scene = s1002_on_60e1(from + step * i, more);
     cases.push_back(Sequence().solve(with_model(scene, Model::halfspace)));
-    EXPECT_TRUE(cases.back().result.certificate.holds()) << i << ": " << cases.back().result.remark;
+    EXPECT_TRUE(cases.back().result.certificate.holds()) << i << ": " << cases.back().result.solver_note;
     height.push_back(placed_of(case_of(scene)).pair.wheel_frame().centre[2] + cases.back().result.approach);
     patches.insert(cases.back().result.patches.size());
   }
@@ -245,7 +245,7 @@ TEST(WheelRailScene, RowsAskedForOverASecondAreaLeadThereAlongXToo) {
 TEST(WheelRailScene, ForcesDoNotLeapWhenAreasSplitAndMerge) {
   NEEDS_NO_SANITIZER();
   // Cant 1:20: three areas, then two, then one; the estimate misses one that touches all the same.
-  EXPECT_EQ(follow(6.36, 10, 0.01, loaded + "position.cant = 0.05\n"), 3u);
+  EXPECT_EQ(follow(6.36, 10, 0.01, loaded + "position.rail_inclination = 0.05\n"), 3u);
 }
 
 TEST(WheelRailScene, AYawedWheelsetIsSolvedOnBothSides) {

@@ -116,10 +116,11 @@ ContactProblem scene(const Size& size, Numbers numbers, Kind kind) {
     for (const ContactRow& row : problem.rows)
       wheel.insert(wheel.begin(), {row.s, -1.0 * row.position, row.delta});
     const halfspace::StripGrid grid{dx, ds, size.mx + 2};
-    problem.numbers = pair(spelled_out(halfspace::tangent_plane_numbers(steel, grid, problem.rows)),
-                           spelled_out(halfspace::tangent_plane_numbers(steel, grid, wheel)));
+    problem.numbers =
+        pair(with_every_pair_of_rows(halfspace::tangent_plane_numbers(steel, grid, problem.rows)),
+             with_every_pair_of_rows(halfspace::tangent_plane_numbers(steel, grid, wheel)));
   } else {
-    const InfluenceNumbers body = halfspace::numbers(steel, dx, ds, size.mx + 2, size.ms);
+    const InfluenceNumbers body = halfspace::influence_numbers(steel, dx, ds, size.mx + 2, size.ms);
     problem.numbers = pair(body, body);
   }
   problem.load = LoadKind::approach;

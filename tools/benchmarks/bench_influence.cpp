@@ -87,7 +87,7 @@ BENCHMARK(expand_40_rows_of)->Arg(100)->Arg(400)->Unit(benchmark::kMillisecond);
 
 void halfspace_numbers(benchmark::State& state) {
   for (auto _ : state)
-    benchmark::DoNotOptimize(halfspace::numbers({}, 0.2, 0.2, offsets, rows));
+    benchmark::DoNotOptimize(halfspace::influence_numbers({}, 0.2, 0.2, offsets, rows));
 }
 BENCHMARK(halfspace_numbers)->Unit(benchmark::kMillisecond);
 

@@ -39,7 +39,7 @@ WORDS = {  # of the names in the files; a name that is not here stands as it is
     "share": "share of the vertical force", "Y_over_Q": "Y/Q, derailment quotient", "radius": "radius at the contact",
     "delta": "inclination of the rail", "rolling_radius": "rolling radius", "roll_moment": "roll moment", "yaw_moment": "yaw moment",
     "torque": "torque of the axle", "roll": "roll, right side down", "yaw": "yaw, front to the right",
-    "position.lateral": "lateral displacement", "position.yaw": "yaw angle", "position.cant": "inclination of the rail",
+    "position.lateral": "lateral displacement", "position.yaw": "yaw angle", "position.rail_inclination": "inclination of the rail",
     "position.roll": "roll angle", "load.force": "vertical force", "load.force_y": "lateral force", "load.force_x": "longitudinal force",
     "wheelset.force": "vertical force of the axle", "wheelset.force_y": "lateral force of the axle",
     "motion.friction": "coefficient of friction", "motion.xi": "longitudinal creepage xi", "motion.eta": "lateral creepage eta",

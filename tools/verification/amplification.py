@@ -15,9 +15,9 @@ SCENES = ROOT / "data" / "scenes"
 # clearance of the flange; an angle to 0.1 rad.
 PLACES = {f"position.{k}": 10.0 for k in ("lateral", "gauge", "gauge_height", "back_to_back", "vertical", "rail_lateral",
                                           "rail_vertical")}
-ANGLES = {f"position.{k}": 0.1 for k in ("roll", "yaw", "cant", "rail_roll")}
+ANGLES = {f"position.{k}": 0.1 for k in ("roll", "yaw", "rail_inclination", "rail_roll")}
 ALWAYS = {"wheel_rail": {"position.gauge": 1435.0, "position.back_to_back": 1360.0, "position.wheel_radius": 460.0,
-                         "position.lateral": 0.0, "position.cant": 0.0, "position.yaw": 0.0}, "patch": {}}
+                         "position.lateral": 0.0, "position.rail_inclination": 0.0, "position.yaw": 0.0}, "patch": {}}
 NO_INPUTS = ("grid.", "solver.", "stresses.", "motion.steps", "strip.rail_s0", "strip.wheel_s0", "sweep.", "table.", "weight")
 # Bodies of the influence files that the scenes name, in demo/.
 BODIES = ("bore", "disc", "ring", "roller", "groove", "wheel_in_groove")

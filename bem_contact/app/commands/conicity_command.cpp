@@ -31,7 +31,7 @@ constexpr const char* conicity_help =
     R"(A rigid wheelset is moved sideways on its track: where do its wheels touch, how much do their rolling radii differ, and
 which cone would run with the same wavelength (EN 15302)? Profiles and track come from a scene, from options, or from
 both; load, motion, and the displacement, roll and yaw of the scene's [position] do not count. Example:
-    bem_contact conicity --wheel S1002 --rail 60E1 --cant 0.025
+    bem_contact conicity --wheel S1002 --rail 60E1 --rail-inclination 0.025
 You should see the contact points for each millimetre from -12 to 12 mm and, for an amplitude of 3 mm, a conicity of
 0.1741 and a wavelength of 8.844 m. "none": no motion has this amplitude.
 
@@ -81,12 +81,13 @@ bool is_whole(double millimetres) {
 std::string head(const WheelsetConicity& c, const WheelsetOnTrack& w) {
   std::string out = fmt::format("Wheelset: right {} on {}, left {} on {}\n", w.right_wheel.name(),
                                 w.right_rail.name(), w.left_wheel.name(), w.left_rail.name());
-  out += fmt::format("  wheel radius {:g} mm, contact circles {:g} mm apart, cant {:g} rad{}; {}\n",
-                     c.lengths.wheel_radius, c.lengths.contact_distance, w.position.cant,
-                     w.position.rail_origin ? std::string()
-                                            : fmt::format(", gauge {:g} mm ({:g} mm below the top)",
-                                                          w.position.gauge, w.position.gauge_height),
-                     w.rolls ? "rolls until both wheels stand" : "upright");
+  out +=
+      fmt::format("  wheel radius {:g} mm, contact circles {:g} mm apart, rails inclined by {:g} rad{}; {}\n",
+                  c.lengths.wheel_radius, c.lengths.contact_distance, w.position.rail_inclination,
+                  w.position.rail_origin ? std::string()
+                                         : fmt::format(", gauge {:g} mm ({:g} mm below the top)",
+                                                       w.position.gauge, w.position.gauge_height),
+                  w.rolls ? "rolls until both wheels stand" : "upright");
   return out;
 }
 
@@ -164,8 +165,8 @@ void add_keys(CLI::App& line, const std::shared_ptr<ConicityArguments>& argument
   number("--gauge", "position.gauge", "Track gauge, mm");
   number("--gauge-height", "position.gauge_height",
          "Depth below the top of the rail where the gauge is measured, mm");
-  number("--cant", "position.cant",
-         "Inclination of the rails towards the track's centre, rad (1:40 is 0.025; not superelevation)");
+  number("--rail-inclination,--cant", "position.rail_inclination",
+         "Inclination of the rails towards the track's centre, rad (1:40 is 0.025)");
   number("--back-to-back", "position.back_to_back", "Distance of the flange backs, mm");
   number("--wheel-radius", "position.wheel_radius", "At the tape circle, mm");
 }

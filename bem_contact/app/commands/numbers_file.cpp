@@ -68,7 +68,7 @@ std::string contact_line(int m, double x, const Block& b, double scale) {
 void write_numbers_h5(const std::filesystem::path& file, const PlainNumbers& plain) {
   const InfluenceNumbers& a = plain.numbers;
   const auto mx = static_cast<std::size_t>(a.offsets), my = static_cast<std::size_t>(a.rows);
-  const InfluenceNumbers written_out = spelled_out(a);
+  const InfluenceNumbers written_out = with_every_pair_of_rows(a);
   record::Record out = headed(numbers_format);
   out.add("influence_numbers",
           record::field(

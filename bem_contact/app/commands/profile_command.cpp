@@ -107,7 +107,7 @@ std::string describe_profile(const MeasuredProfile& p, const std::optional<LikeS
     out += like_text(*like, p);
   if (const double inclined = inclination_of(p, kind); inclined > 0)
     out += fmt::format("  inclined: turned by {:.2f} degrees ({}): the file is already inclined; give "
-                       "position.cant = 0 with it\n",
+                       "position.rail_inclination = 0 with it\n",
                        -degrees(inclined), inclination_text(inclined));
   if (p.worn)
     out += fmt::format("  nominal: {}\n", worn_text(*p.worn));

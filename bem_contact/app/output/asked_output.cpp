@@ -39,13 +39,13 @@ std::string structure_text(const std::optional<StructuralResult>& structure) {
   if (!structure)
     return "";
   const std::string bodies = body_text("rail", structure->rail) + body_text("wheel", structure->wheel);
-  const std::string aside =
-      structure->aside
+  const std::string shift_y =
+      structure->shift_y
           ? fmt::format("the surfaces in contact slide past each other: the wheel is moved by y {:+.4f} "
                         "mm, beyond what the structures do\n",
-                        *structure->aside)
+                        *structure->shift_y)
           : "";
-  return bodies + aside +
+  return bodies + shift_y +
          (structure->placed
               ? fmt::format("the bodies stand where their motion takes them, to {:.1e} mm "
                             "after {}\n",

@@ -86,12 +86,12 @@ std::string patches_text(const SceneResult& r, double force) {
     const PatchErrors e = errors ? r.result.discretisation->patches.at(i) : PatchErrors{};
     out +=
         line(i + 1, fixed_within(p.fn, e.fn, decimals), fixed_within(p.fx, e.fx, decimals),
-             fixed_within(p.fs, e.fs, decimals), fixed_within(p.approach, e.approach, 5),
+             fixed_within(p.fs, e.fs, decimals), fixed_within(p.overlap, e.overlap, 5),
              fixed_within(p.pmax, e.pmax, decimals_for_five(1e1 * p.pmax)),
              digits_within(p.area, e.area, 5)) +
         fmt::format(" {:>8}{}\n", p.contact, friction ? fmt::format(" {:>8} {:>6}", p.adhesion, p.slip) : "");
     if (errors)
-      out += line("+-", two_digits(e.fn), two_digits(e.fx), two_digits(e.fs), two_digits(e.approach),
+      out += line("+-", two_digits(e.fn), two_digits(e.fx), two_digits(e.fs), two_digits(e.overlap),
                   two_digits(e.pmax), two_digits(e.area)) +
              "\n";
   }
@@ -134,15 +134,15 @@ std::string reason_text(const SceneResult& r) {
   const std::vector<ContactRow>& rows = r.problem.rows;
   const bool plane =
       std::ranges::all_of(rows, [&](const ContactRow& row) { return row.delta == rows.front().delta; });
-  const bool judged = r.reason.starts_with("the normal turns"); // or the scene names the model
+  const bool judged = r.why_this_model.starts_with("the normal turns"); // or the scene names the model
   return r.model == Model::halfspace && plane && judged && r.model_enough ? "the surfaces are flat"
-                                                                          : r.reason;
+                                                                          : r.why_this_model;
 }
 
 /// "certified: yes, ..."
 std::string certified_text(const SceneResult& r) {
   const Certificate& c = r.result.certificate;
-  const std::string why = why_uncertified(r);
+  const std::string why = why_not_certified(r);
   return fmt::format(
       "certified: {}{}\n",
       why.empty() ? fmt::format("yes, worst violation {:.1e} of {:.0e} allowed", c.worst(), c.tolerance)
@@ -176,8 +176,8 @@ std::string to_text(const SceneResult& r) {
   out += structure_text(r.structure);
   out += stresses_text(r.stresses);
   out += certified_text(r);
-  if (!r.result.remark.empty())
-    out += fmt::format("solver: {}\n", r.result.remark);
+  if (!r.result.solver_note.empty())
+    out += fmt::format("solver: {}\n", r.result.solver_note);
   const PhaseSeconds& spent = r.seconds;
   out += fmt::format("seconds: geometry {:.2f}, influence numbers {:.2f}, solve {:.2f}, certificate {:.2f}, "
                      "error estimate {:.2f}{}{}, total {:.2f}\n",

@@ -67,8 +67,8 @@ void write(std::ostream& out, const SceneResult& result) {
   const Displacements& u = result.result.displacements;
   data_array(out, "displacement", 3, n,
              [&](int i, int c) { return turned(i, c, at(u.ux, i), at(u.us, i), at(u.un, i)); });
-  const std::vector<double> power = friction_power(r);
-  data_array(out, "work_rate", 1, n, [&](int i, int) { return at(power, i); });
+  const std::vector<double> power = friction_work_density(r);
+  data_array(out, "friction_work_density", 1, n, [&](int i, int) { return at(power, i); });
   if (r.temperatures) {
     data_array(out, "T_rail", 1, n, [&](int i, int) { return r.temperatures->rail[i]; });
     data_array(out, "T_wheel", 1, n, [&](int i, int) { return r.temperatures->wheel[i]; });

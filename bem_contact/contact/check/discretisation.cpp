@@ -75,7 +75,7 @@ ContactTotals totals(const ContactResult& result) {
 double largest_approach(const ContactResult& result) {
   double largest = 0;
   for (const PatchSummary& patch : result.patches)
-    largest = std::max(largest, patch.approach);
+    largest = std::max(largest, patch.overlap);
   return largest;
 }
 

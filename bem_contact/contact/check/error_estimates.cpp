@@ -188,7 +188,7 @@ double local_normal_force(const Region& r) {
 /// Of the power of friction. Each wave of the tractions loses energy on elements (slip_step.hpp), and that is
 /// missing in what slip dissipates. The driving power has no such part.
 double power_error(const Region& fine, const Region& coarse) {
-  return std::abs(fine.driving_power.total - fine.friction_power) +
+  return std::abs(fine.driving_power.total - fine.T_gamma) +
          shear_error(fine.driving_power.total - coarse.driving_power.total, fine.driving_power, fine,
                      shear_adhesion_x);
 }
@@ -200,15 +200,14 @@ void estimate_patch_shear(const Region& fine, const Region& coarse, PatchErrors&
   out.moment_n =
       growth(fine, moment_elongation) * (shear_change * std::abs(fine.moment.total - coarse.moment.total) +
                                          moment_share * local_error(fine.moment, fine));
-  out.friction_power = power_error(fine, coarse);
+  out.T_gamma = power_error(fine, coarse);
 }
 
 PatchErrors patch_errors(const Region& fine, const Region& coarse, double roughness) {
   PatchErrors out;
   out.pmax = pmax_error(fine, coarse, roughness);
   out.area = area_error(fine);
-  out.approach =
-      overlap_change * std::abs(fine.approach - coarse.approach) + fine.approach * local_overlap(fine);
+  out.overlap = overlap_change * std::abs(fine.overlap - coarse.overlap) + fine.overlap * local_overlap(fine);
   estimate_patch_shear(fine, coarse, out);
   return out;
 }
@@ -332,7 +331,7 @@ void estimate_shear(const ContactProblem& problem, const ContactResult& result, 
                      (fine.line ? line_adhesion : 1.0) *
                          (adhesion_local + adhesion_border * std::sqrt(double(fine.adhesion_border))) /
                          fine.contact;
-  e.friction_power = power_error(fine, rough);
+  e.T_gamma = power_error(fine, rough);
 }
 
 /// Of the highest temperature of a surface, degrees C. `bulk`: what it has before the contact.
@@ -377,7 +376,7 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
   TotalErrors& e = out.errors;
   e.area = area_error(fine);
   e.pmax = pmax_error(fine, rough, roughness);
-  e.Fx = e.Fs = e.adhesion_share = e.friction_power = e.creepage_x = e.creepage_s = 0;
+  e.Fx = e.Fs = e.adhesion_share = e.T_gamma = e.creepage_x = e.creepage_s = 0;
   if (problem.has_friction()) {
     estimate_shear(problem, result, coarse, regions, e);
     estimate_creepages(problem, result, coarse_problem.grid, coarse, fine, e);
@@ -392,7 +391,7 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
   }
   const bool force = problem.load == LoadKind::force;
   e.approach = force ? approach_change * std::abs(result.approach - coarse.approach) +
-                           fine.approach * local_approach(fine)
+                           fine.overlap * local_approach(fine)
                      : 0;
   const ShearEffects effects = effects_of_shear(problem, result);
   e.Fy = lateral_error(problem, result.Fy - coarse.Fy, effects, fine);

@@ -86,7 +86,7 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
     fs.push_back({result.ps[i] * dS, fn, adheres});
     out.x += fn * problem.grid.x(ix);
     out.s += fn * problem.rows[is].s;
-    out.approach = std::max(out.approach, approach[is] - problem.gap[i]);
+    out.overlap = std::max(out.overlap, approach[is] - problem.gap[i]);
     if (result.pn[i] > out.pmax) {
       out.pmax = result.pn[i];
       out.curvature = field.curvature(ix, is);
@@ -97,7 +97,7 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
   out.area = out.contact * dS;
   out.x /= out.fn;
   out.s /= out.fn;
-  const std::vector<double> rate = friction_power(result);
+  const std::vector<double> rate = friction_work_density(result);
   const std::vector<double> share = of_rows(problem, [&](int row) { return problem.lateral_share(row); });
   std::vector<Part> moment, driving;
   moment.reserve(elements.size());
@@ -111,7 +111,7 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
     moment.push_back({lever_x * fs[k].value - lever_s * fx[k].value, fx[k].fn, fx[k].adheres});
     if (!problem.has_friction())
       continue;
-    out.friction_power += rate[i] * dS;
+    out.T_gamma += rate[i] * dS;
     const double sheared = steady ? shear_drive(problem, result, i, share[i / problem.grid.mx]) : rate[i];
     driving.push_back({sheared * dS, fx[k].fn, fx[k].adheres});
     pressed += steady ? pressure_drive(problem, result, i) * dS : 0.0;

@@ -41,7 +41,7 @@ struct Region {
   double fn = 0;                         ///< sum of p_n dS, N
   UncertainSum fx, fs;                   ///< of p_x dS, p_s dS, N
   UncertainSum moment;                   ///< of both about the centre of pressure, N mm
-  double friction_power = 0;             ///< N (shift: N mm)
+  double T_gamma = 0;                    ///< N (shift: N mm)
   /// In steady rolling this is the power that drives the bodies, sum (p_t w + p_n dh/dx) dS; w includes the
   /// creepages found. By conservation of energy it is the power of friction on elements of vanishing size
   /// (theory/estimates_and_heat.md, section 2). In other motions it is the power of friction itself.
@@ -49,7 +49,7 @@ struct Region {
   double pmax = 0;      ///< MPa
   double curvature = 0; ///< at the peak: how far p_n falls to its neighbours, twice the mean
                         ///< along x and twice that along s, MPa
-  double approach = 0;  ///< PatchSummary::approach, mm
+  double overlap = 0;   ///< PatchSummary::overlap, mm
   double area = 0;      ///< mm^2
   double x = 0, s = 0;  ///< centre of pressure, mm
 

@@ -17,7 +17,7 @@ BEM_CONTACT_TUNED(double, loose_tolerance, 1e-3);
 BEM_CONTACT_TUNED(double, tolerance_of_change, 0.1);
 /// 1. A tolerance below this times the one asked for becomes that one: this outer iteration may be the last,
 /// and what is left takes Newton's method hardly a step.
-BEM_CONTACT_TUNED(double, nearly_asked, 30);
+BEM_CONTACT_TUNED(double, final_tolerance_ratio, 30);
 /// 1. From one outer iteration to the next the pressure force changes at most by this factor. Chosen.
 BEM_CONTACT_TUNED(double, largest_force_step, 4);
 /// 1. The largest pressure force that is tried, over the prescribed force. If it does not carry the force
@@ -43,7 +43,7 @@ BEM_CONTACT_TUNED(double, anderson_short_step, 0.3);
 BEM_CONTACT_TUNED(double, largest_shear_growth, 10);
 /// Elements of the grid, and across it. Problems with fewer elements are solved as quickly without a start as
 /// from a solution on larger elements.
-BEM_CONTACT_TUNED(int, few_elements, 800);
+BEM_CONTACT_TUNED(int, least_elements_for_rough_start, 800);
 BEM_CONTACT_TUNED(int, few_across, 16);
 /// 1. Tolerance on the larger elements of a start: their own error is larger.
 BEM_CONTACT_TUNED(double, start_tolerance, 1e-3);

@@ -22,10 +22,10 @@ bool ToleranceSchedule::is_close(double change) const {
   return change <= settling_factor * asked_;
 }
 
-void ToleranceSchedule::tighten(double change, double left, double share) {
+void ToleranceSchedule::tighten(double change, double remaining_change, double share) {
   const double finest = asked_ * std::clamp(share, least_force_share, 1.0),
                enough = std::min(loose_tolerance, tolerance_of_change * change);
-  now_ = enough < nearly_asked * finest || is_close(left * change) ? finest : enough;
+  now_ = enough < final_tolerance_ratio * finest || is_close(remaining_change * change) ? finest : enough;
 }
 
 } // namespace bem_contact::contact

@@ -16,11 +16,11 @@ public:
   bool is_close(double change) const;
   /// Says whether the outer iteration is the last one: it is close, and was solved precisely too.
   bool is_settled(double change) const { return is_close(change) && now_ <= asked_; }
-  /// Sets the tolerance after an outer iteration with this change. `left`: the share of it that is expected
-  /// of the next one; if that will be close, it may be the last and is solved precisely. `share`: prescribed
-  /// force over force of the pressure; if it is small, the force is a small difference of large ones and
-  /// needs a tighter tolerance.
-  void tighten(double change, double left, double share);
+  /// Sets the tolerance after an outer iteration with this change. `remaining_change`: the share of it that
+  /// is expected of the next one; if that will be close, it may be the last and is solved precisely. `share`:
+  /// prescribed force over force of the pressure; if it is small, the force is a small difference of large
+  /// ones and needs a tighter tolerance.
+  void tighten(double change, double remaining_change, double share);
 
 private:
   double asked_, now_;

@@ -16,9 +16,9 @@ namespace {
 /// surface. Chosen: real distances next to a contact are below it, missing surfaces are far above it.
 constexpr double distance_without_surface = 10;
 
-ContactProblem same_question(const ContactQuestion& question) {
+ContactProblem copy_conditions(const ContactConditions& question) {
   ContactProblem coarse;
-  static_cast<ContactQuestion&>(coarse) = question;
+  static_cast<ContactConditions&>(coarse) = question;
   return coarse;
 }
 
@@ -313,7 +313,7 @@ Companion companion_of(const ContactProblem& problem, const ContactResult& resul
   for (int i = 0; i < problem.grid.size(); ++i)
     if (result.pn[i] > 0)
       far = std::max(far, std::abs(problem.gap[i]));
-  ContactProblem coarse = same_question(problem);
+  ContactProblem coarse = copy_conditions(problem);
   coarse.grid = larger.grid();
   coarse.rows = larger.rows_at_centres(problem.rows);
   coarse.friction_rows = larger.mean_of_rows(problem.friction_rows);
@@ -335,7 +335,7 @@ Companion companion_of(const ContactProblem& problem, const ContactResult& resul
 
 ContactProblem starting_problem(const ContactProblem& problem) {
   const LargerElements larger(problem.grid);
-  ContactProblem coarse = same_question(problem);
+  ContactProblem coarse = copy_conditions(problem);
   coarse.tangential =
       problem.tangential && problem.motion == MotionKind::steady && !problem.force_x && !problem.force_s;
   coarse.force_x = coarse.force_s = std::nullopt;

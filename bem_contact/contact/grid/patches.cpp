@@ -75,15 +75,15 @@ PatchSummary summarise(const ContactProblem& problem, const ContactResult& resul
   const int mx = problem.grid.mx;
   const double area = problem.element_area();
   PatchSummary patch;
-  patch.approach = -std::numeric_limits<double>::infinity();
+  patch.overlap = -std::numeric_limits<double>::infinity();
   for (const int i : elements) {
     const ContactRow& row = problem.rows[i / mx];
     const double p = result.pn[i];
     patch.fn += p * area;
     patch.fx += result.px[i] * area;
     patch.fs += result.ps[i] * area;
-    patch.friction_power += power[i] * area;
-    patch.approach = std::max(patch.approach, result.approach * std::cos(row.delta) - problem.gap[i]);
+    patch.T_gamma += power[i] * area;
+    patch.overlap = std::max(patch.overlap, result.approach * std::cos(row.delta) - problem.gap[i]);
     patch.pmax = std::max(patch.pmax, p);
     patch.area += area;
     ++patch.contact;
@@ -131,7 +131,7 @@ std::vector<std::vector<int>> connected_elements(const ContactGrid& grid,
 } // namespace
 
 std::vector<PatchSummary> find_patches(const ContactProblem& problem, const ContactResult& result) {
-  const std::vector<double> power = friction_power(result);
+  const std::vector<double> power = friction_work_density(result);
   std::vector<PatchSummary> patches;
   for (const std::vector<int>& elements : patch_elements(problem, result))
     patches.push_back(summarise(problem, result, power, elements));

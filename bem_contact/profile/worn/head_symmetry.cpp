@@ -60,7 +60,7 @@ template <class Look> void look_at_images(const OutlineTable& head, const Axis& 
   }
 }
 
-double told_by(const Image& image, double width) {
+double weight_of_image(const Image& image, double width) {
   const double share = image.seen.depth / width, root = 1 - share * share;
   return root > 0 ? root * root * (told_on_top + (1 - told_on_top) * image.steep) : 0;
 }
@@ -73,7 +73,7 @@ bool refine_axis(Axis& axis, const OutlineTable& head, double width, int steps) 
     double total = 0;
     const Point2 across = tangent_of(axis.angle);
     look_at_images(head, axis, [&](const Image& image) {
-      const double weight = told_by(image, width);
+      const double weight = weight_of_image(image, width);
       if (weight == 0)
         return;
       // The image turns by twice the axis's turn.

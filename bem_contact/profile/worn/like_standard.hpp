@@ -22,9 +22,9 @@ struct LikeStandard {
 std::optional<LikeStandard> like_standard(const ProfileCurve& curve, ProfileKind kind, double scatter = 0);
 
 /// By how much a rail is inclined in its file already, towards the track's centre, rad, if by as much as
-/// rails are laid; 0 if it stands upright, or is too worn to tell. A scene's position.cant would incline such
-/// a rail again. The symmetry of its head tells (head_symmetry.hpp); where one side is worn, a standard on
-/// which it lies.
+/// rails are laid; 0 if it stands upright, or is too worn to tell. A scene's position.rail_inclination would
+/// incline such a rail again. The symmetry of its head tells (head_symmetry.hpp); where one side is worn, a
+/// standard on which it lies.
 double rail_inclination(const ProfileCurve& rail, double scatter = 0);
 
 /// "about 1:40"

@@ -137,7 +137,7 @@ double unworn_within(double scatter) {
 
 /// From a place that is nearly right: by what may be unworn, then by what lies as near as most of that does,
 /// because wear begins slowly. Returns the last width, mm; 0 if it runs away.
-double settle(NominalPlace& place, const Nominal& nominal, const Points& points, double scatter) {
+double fit_robustly(NominalPlace& place, const Nominal& nominal, const Points& points, double scatter) {
   const double within = unworn_within(scatter);
   double width = 2 * within;
   if (!refine(place, nominal, points, width, settling_steps, searching_tolerance))
@@ -276,7 +276,7 @@ std::vector<Settled> settled_places_of(const Nominal& nominal, std::span<const P
   const Points many = few_of(points, settling_points);
   std::vector<Settled> out;
   for (NominalPlace place : searched(nominal, points)) {
-    const double width = settle(place, nominal, many, scatter);
+    const double width = fit_robustly(place, nominal, many, scatter);
     if (width > 0 && std::ranges::none_of(out, [&](auto& o) { return same_place(o.at.place, place); }))
       out.push_back({judged(place, nominal, many, scatter), width});
   }

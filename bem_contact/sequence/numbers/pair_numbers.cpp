@@ -121,8 +121,8 @@ InfluenceNumbers halfspace_pair(const ContactSetup& setup, const ContactOnGrid& 
     // with the normal; the strip's radius is what the disc in a hole has (Michell 1899).
     return contact.problem.plane_strain()
                ? halfspace::plane_strain_numbers(material, grid.ds, grid.ms, setup.reference_distance())
-               : halfspace::numbers(material, grid.dx, grid.ds, grid.mx + 2, grid.ms,
-                                    known ? &known->lines : nullptr);
+               : halfspace::influence_numbers(material, grid.dx, grid.ds, grid.mx + 2, grid.ms,
+                                              known ? &known->lines : nullptr);
   };
   // The wheel's own s runs against the rail's: with rows in the contact's order the couplings of equal bodies
   // cancel.

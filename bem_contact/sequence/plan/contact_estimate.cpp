@@ -226,12 +226,12 @@ ContactEstimate estimate_contact(const ContactSetup& setup, bool foresee_shear) 
   return out;
 }
 
-EstimatedContact estimated_contact(const ContactEstimate& estimate, double compliance, double aside) {
-  if (aside == 0)
+EstimatedContact estimated_contact(const ContactEstimate& estimate, double compliance, double shift_y) {
+  if (shift_y == 0)
     return contact_at(estimate, estimate.approach, compliance);
   ContactEstimate moved = estimate;
   for (RailSlice& c : moved.slices)
-    c.gap += aside * std::sin(c.delta);
+    c.gap += shift_y * std::sin(c.delta);
   const double q = estimate.force > 0 ? approach_under(moved, estimate.force, compliance) : 0;
   return contact_at(moved, q, compliance);
 }

@@ -49,9 +49,9 @@ struct EstimatedContact {
   double delta = 0;             ///< inclination, rad
   Point2 position;              ///< on the rail
 };
-/// Estimates the contact under the vertical force of the estimate, with the wheel `aside` mm further along y.
-/// Its distance from the rail then changes by the part of that shift along the normal.
-EstimatedContact estimated_contact(const ContactEstimate& estimate, double compliance, double aside = 0);
+/// Estimates the contact under the vertical force of the estimate, with the wheel `shift_y` mm further along
+/// y. Its distance from the rail then changes by the part of that shift along the normal.
+EstimatedContact estimated_contact(const ContactEstimate& estimate, double compliance, double shift_y = 0);
 
 /// Uses the same method on the rows of a problem, whose undeformed distance is known. Returns nothing in
 /// plane strain, and on fewer than three columns.

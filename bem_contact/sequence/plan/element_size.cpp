@@ -144,7 +144,7 @@ void ElementSize::begin(const ContactCase& asked, bool alike) {
   const std::optional<Model> model = asked.scene.solver.model;
   // Which model is chosen automatically is not known yet: it may have numbers that depend on both rows.
   const bool full = model != Model::halfspace && model != Model::hertz;
-  const bool by_bodies = model ? model == Model::fem : names_bodies(asked);
+  const bool by_bodies = model ? model == Model::fem : has_influence_files_of_both(asked);
   const Request request{asked.scene.grid.elements.value_or(0), asked.scene.grid.accuracy.value_or(0)};
   if (!count_ || request != request_)
     count_.emplace(request.elements, request.accuracy, full ? most_elements_full : most_elements,

@@ -155,7 +155,7 @@ void add_totals(const ContactProblem& problem, const HertzModel& model, int insi
   result.Mz = model.x * result.Fy;
   PatchSummary patch;
   patch.fn = c.force;
-  patch.approach = c.approach;
+  patch.overlap = c.approach;
   patch.pmax = c.max_pressure;
   patch.area = area;
   patch.contact = patch.slip = inside;
@@ -239,7 +239,7 @@ ContactResult solve_hertz(const ContactProblem& problem, const HertzModel& model
   if (c.force > 0)
     add_totals(problem, model, inside, result);
   result.converged = result.certificate.holds();
-  result.unestimated = "Hertz's closed form has no elements";
+  result.why_no_errors = "Hertz's closed form has no elements";
   return result;
 }
 

@@ -26,15 +26,15 @@ std::string error_text(const char* model, const ModelErrors& errors, const std::
 
 /// The quantities asked for, by whether the influence files of both bodies would add to their errors: how the
 /// real bodies roll freely is known from these files alone (ContactTraits::bodies).
-struct Told {
+struct PredictedQuantities {
   std::vector<ModelErrorOf> known, unknown;
 };
-Told told_by(const ContactTraits& traits, const ModelRequest& request) {
+PredictedQuantities split_by_what_files_add(const ContactTraits& traits, const ModelRequest& request) {
   ContactTraits with_bodies = traits;
   with_bodies.bodies = true;
   const ModelErrors here = predicted_errors(Model::halfspace, traits),
                     there = predicted_errors(Model::halfspace, with_bodies);
-  Told out;
+  PredictedQuantities out;
   for (const ModelErrorOf what : request.of)
     (there.of(what) > here.of(what) ? out.unknown : out.known).push_back(what);
   return out;
@@ -48,11 +48,12 @@ std::string judged(const std::string& errors, bool within, const ModelRequest& r
 }
 
 /// Why a model without the bodies' influence functions is enough. `errors`: as judged() takes them.
-std::string enough_text(const std::string& errors, const ModelRequest& request, const Told& told) {
-  std::string out = told.known.empty() ? "" : judged(errors, true, request);
-  if (!told.unknown.empty())
+std::string enough_text(const std::string& errors, const ModelRequest& request,
+                        const PredictedQuantities& predicted) {
+  std::string out = predicted.known.empty() ? "" : judged(errors, true, request);
+  if (!predicted.unknown.empty())
     out += fmt::format("{} in {} are not known without influence files of both bodies",
-                       told.known.empty() ? "errors" : ". Errors", names_of(told.unknown));
+                       predicted.known.empty() ? "errors" : ". Errors", names_of(predicted.unknown));
   return out;
 }
 
@@ -72,7 +73,7 @@ double predicted_error(const HertzModel& model) {
 
 ModelRequest request_of(const ContactCase& asked) {
   const SceneFile::Solver& solver = asked.scene.solver;
-  return {solver.model_tolerance, solver.model_tolerance_of, names_bodies(asked)};
+  return {solver.model_tolerance, solver.model_tolerance_of, has_influence_files_of_both(asked)};
 }
 
 ModelChoice choose_hertz(const HertzModel& model, const ContactTraits& traits, const ModelRequest& request) {
@@ -96,7 +97,7 @@ ModelChoice choose_model(const ContactTraits& traits, const ModelRequest& reques
   const double by_halfspace = largest(halfspace, request), by_planes = largest(tangent_plane, request);
   const std::string turn =
       traits.prescribed.structures ? "the structures' motion is included; " : turn_text(traits.turn);
-  const Told told = told_by(traits, request);
+  const PredictedQuantities predicted = split_by_what_files_add(traits, request);
   const auto errors = [&](const std::vector<ModelErrorOf>& of, bool both) {
     if (of.empty())
       return std::string();
@@ -106,7 +107,8 @@ ModelChoice choose_model(const ContactTraits& traits, const ModelRequest& reques
   for (const auto& [model, error] :
        {std::pair{Model::halfspace, by_halfspace}, {Model::tangent_plane, by_planes}})
     if (error <= request.tolerance)
-      return {model, turn + enough_text(errors(told.known, model == Model::tangent_plane), request, told)};
+      return {model,
+              turn + enough_text(errors(predicted.known, model == Model::tangent_plane), request, predicted)};
   const std::string reason = turn + judged(errors(request.of, true), false, request);
   if (request.fem)
     return {Model::fem, reason};

@@ -21,7 +21,7 @@ ModelRequest request_of(const ContactCase& asked);
 /// The cheapest model that is predicted to be within the tolerance, and why: two short sentences at most.
 struct ModelChoice {
   Model model;
-  std::string reason;
+  std::string why_this_model;
   bool enough = true; ///< false: fem would be needed, and it cannot be taken
 };
 

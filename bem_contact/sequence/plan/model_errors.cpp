@@ -18,7 +18,7 @@ constexpr double tangent_plane_error = 0.24;
 /// 1/rad. Either, more of it between unlike materials: steel on aluminium is off by 0.008.
 constexpr double unlike_turn_error = 0.01;
 /// mm. Least distance by which the wheel is moved aside to see how steep results are in its position. Chosen.
-constexpr double least_aside = 1e-3;
+constexpr double least_shift_y = 1e-3;
 /// mm. Of a wheel on a rail the creepage of free rolling differs by approach / this, times 1 +
 /// creep_inclination times the inclination: by 1e-5 to 6e-5 on the tread, 1e-4 and more at the flange.
 constexpr double wheel_creep_radius = 1100.0;
@@ -146,7 +146,7 @@ PrescribedMotion prescribed_of(const ContactCase& asked) {
   return out;
 }
 
-bool names_bodies(const ContactCase& asked) {
+bool has_influence_files_of_both(const ContactCase& asked) {
   return !asked.setup.rail.influence.empty() && !asked.setup.wheel.influence.empty();
 }
 
@@ -155,7 +155,7 @@ ContactTraits traits_of(const ContactCase& asked, const ContactEstimate& estimat
   const EstimatedContact contact = estimated_contact(estimate, compliance);
   ContactTraits out;
   out.prescribed = prescribed_of(asked);
-  out.bodies = names_bodies(asked);
+  out.bodies = has_influence_files_of_both(asked);
   out.on_rail = asked.setup.wheel_rail() != nullptr;
   out.unlike = !(asked.setup.rail.material == asked.setup.wheel.material);
   out.turn = contact.turn;
@@ -168,13 +168,13 @@ ContactTraits traits_of(const ContactCase& asked, const ContactEstimate& estimat
   if (contact.normal <= 0)
     return out;
   if (out.prescribed.place) {
-    const double aside = std::max(position_error(out), least_aside);
-    for (const double step : {-aside, aside}) {
+    const double shift_y = std::max(position_error(out), least_shift_y);
+    for (const double step : {-shift_y, shift_y}) {
       const EstimatedContact moved = estimated_contact(estimate, compliance, step);
-      out.force_steepness =
-          std::max(out.force_steepness, std::abs(moved.lateral - contact.lateral) / (contact.normal * aside));
+      out.force_steepness = std::max(out.force_steepness,
+                                     std::abs(moved.lateral - contact.lateral) / (contact.normal * shift_y));
       out.pressure_steepness =
-          std::max(out.pressure_steepness, std::abs(moved.pressure / contact.pressure - 1) / aside);
+          std::max(out.pressure_steepness, std::abs(moved.pressure / contact.pressure - 1) / shift_y);
     }
   }
   set_creep(asked, contact, out);
@@ -201,11 +201,11 @@ ModelErrors predicted_errors(Model model, const ContactTraits& traits) {
     return {};
   if (traits.prescribed.structures)
     return {1, 1, 1, 1};
-  const double aside = position_error(traits);
+  const double shift_y = position_error(traits);
   const double near = traits.edge > 0 ? traits.size / traits.edge : 0;
   ModelErrors out;
-  out.pmax = pressure_error(model, traits) + traits.pressure_steepness * aside + edge_error * near * near;
-  out.forces = traits.force_steepness * aside;
+  out.pmax = pressure_error(model, traits) + traits.pressure_steepness * shift_y + edge_error * near * near;
+  out.forces = traits.force_steepness * shift_y;
   if (traits.creep_stiffness > 0) {
     out.friction_power = least_power_error + power_turn_error * traits.turn + out.forces;
     out.forces += least_shear_error + shear_turn_error * traits.turn;

@@ -27,7 +27,7 @@ struct PrescribedMotion {
 };
 PrescribedMotion prescribed_of(const ContactCase& asked);
 /// Says whether the scene names influence files of both bodies.
-bool names_bodies(const ContactCase& asked);
+bool has_influence_files_of_both(const ContactCase& asked);
 
 /// What the predictions know of a contact.
 struct ContactTraits {

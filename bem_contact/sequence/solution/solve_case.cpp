@@ -106,7 +106,7 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   warn_of_slide(asked, solved);
   out.patch_places = patch_places(asked.setup, solved.contact, solved.result);
   out.model = solved.model;
-  out.reason = choice.reason;
+  out.why_this_model = choice.why_this_model;
   out.model_enough = choice.enough;
   out.problem = std::move(solved.contact.problem);
   out.result = std::move(solved.result);
@@ -127,7 +127,7 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   }
   add_creepages(asked.setup, out);
   out.moment = moment_about(out.reference, out.result);
-  if (asked.setup.wheel_rail() || names_bodies(asked))
+  if (asked.setup.wheel_rail() || has_influence_files_of_both(asked))
     out.wheel_s = std::move(solved.contact.wheel_s);
   Outlines bodies = outlines(asked.setup, out.problem);
   out.rail_profile = std::move(bodies.rail);

@@ -136,7 +136,7 @@ void solve_steps(const ContactSetup& setup, const SolverOptions& options, Contac
   for (int k = 0; k < last; ++k)
     if (!out.history[k].converged)
       out.warnings.push_back(
-          fmt::format("step {} of {} is not a solution ({})", k + 1, last + 1, out.history[k].remark));
+          fmt::format("step {} of {} is not a solution ({})", k + 1, last + 1, out.history[k].solver_note));
 }
 
 /// Takes the pair's numbers from where a solution leaves them, and gives them back.

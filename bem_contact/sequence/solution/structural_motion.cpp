@@ -61,7 +61,7 @@ std::optional<StructuralResult> structures_of(const ContactCase& asked, Model mo
   };
   StructuralResult out{.rail = one(asked.setup.rail, asked.files.rail->strip(), placed->pair.rail_pose),
                        .wheel = one(asked.setup.wheel, asked.files.wheel->strip(), placed->pair.wheel_pose),
-                       .aside = {}};
+                       .shift_y = {}};
   return out.rail || out.wheel ? std::optional(out) : std::nullopt;
 }
 
@@ -83,7 +83,7 @@ StructuralPlacement placement_of(const ContactCase& asked, const StructuralResul
   const WheelOnRail& pair = asked.setup.wheel_rail()->pair;
   return {.rail = plane_motion(structure.rail),
           .wheel = plane_motion(structure.wheel),
-          .aside = structure.aside.value_or(0),
+          .shift_y = structure.shift_y.value_or(0),
           .rail_in_numbers = motion_in_numbers(structure.rail, pair.rail_pose),
           .wheel_in_numbers = motion_in_numbers(structure.wheel, pair.wheel_pose)};
 }
@@ -118,13 +118,13 @@ void take_motion(const ContactCase& asked, const GridSolution& solved, Structura
 
 /// How far along y the wheel has to be moved so that it, lowered until it touches, slides along the rail's
 /// surface as the surfaces in contact do (mean weighted with pressure): what the structures do not do, mm.
-double contact_aside(const ContactCase& asked, const GridSolution& solved,
-                     const StructuralResult& structure) {
+double contact_shift_y(const ContactCase& asked, const GridSolution& solved,
+                       const StructuralResult& structure) {
   const ContactProblem& problem = solved.contact.problem;
   const ContactResult& result = solved.result;
   const WheelRailGeometry& placed = *asked.setup.wheel_rail();
   StructuralPlacement by = placement_of(asked, structure);
-  by.aside = 0;
+  by.shift_y = 0;
   double moved = 0, pressure = 0;
   for (int is = 0; is < problem.grid.ms; ++is) {
     const Point2 s = tangent_of(problem.rows[is].delta);
@@ -151,7 +151,7 @@ double change_between(const StructuralResult& a, const StructuralResult& b) {
   const auto [by_b, angle_b] = relative(b);
   const Point2 moved = by_b - by_a;
   return std::hypot(moved.y, moved.z) + half_contact * std::abs(angle_b - angle_a) +
-         std::abs(b.aside.value_or(0) - a.aside.value_or(0));
+         std::abs(b.shift_y.value_or(0) - a.shift_y.value_or(0));
 }
 
 /// The case with its bodies where `by` takes them.
@@ -218,7 +218,7 @@ PlacedSolution solve_on_placed_bodies(const ContactCase& asked, const SceneFile:
   const auto take = [&] {
     take_motion(asked, out.solved, structure);
     if (by_contact)
-      structure.aside = contact_aside(out.asked, out.solved, structure);
+      structure.shift_y = contact_shift_y(out.asked, out.solved, structure);
   };
   take();
   if (!can_be_placed(asked.scene))

@@ -61,7 +61,7 @@ GridPlan without_far_elements(GridPlan plan, const GridSolution& solved) {
   const auto look = [&](const ContactResult& result) {
     double approach = 0;
     for (const PatchSummary& patch : result.patches)
-      approach = std::max(approach, patch.approach);
+      approach = std::max(approach, patch.overlap);
     for (int i = 0; i < grid.size(); ++i)
       if (result.state[i] != ElementState::exterior ||
           result.deformed_distance[i] < near_distance * approach) {

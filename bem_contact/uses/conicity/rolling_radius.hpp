@@ -10,7 +10,7 @@ namespace bem_contact {
 /// A rigid wheelset on both its rails.
 ///
 /// Profiles of the left side are given as those of the right side are: in the mirror image, y towards the
-/// field (WheelOnRail). `position` is the same for both: gauge, gauge_height, back_to_back, cant,
+/// field (WheelOnRail). `position` is the same for both: gauge, gauge_height, back_to_back, rail_inclination,
 /// wheel_radius, rail_origin, wheel_origin. Its side, lateral displacement, roll, yaw and deviations of the
 /// rail are not used.
 struct WheelsetOnTrack {

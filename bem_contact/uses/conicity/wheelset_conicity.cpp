@@ -75,7 +75,7 @@ WheelsetOnTrack wheelset_of(const SceneFile& scene, const LeftProfiles& left) {
     if (!text.empty())
       messages()->warn("{}{}", side, text);
   };
-  warn("", inclined_twice(right.rail_inclination, scene.position.cant));
+  warn("", inclined_twice(right.rail_inclination, scene.position.rail_inclination));
   WheelsetOnTrack out{.right_rail = right.rail,
                       .right_wheel = right.wheel,
                       .left_rail = right.rail,
@@ -83,7 +83,8 @@ WheelsetOnTrack wheelset_of(const SceneFile& scene, const LeftProfiles& left) {
                       .position = scene.position};
   if (!left.rail.empty()) {
     const ProfileCurve rail = named_profile(left.rail, ProfileKind::rail, scene.folder, scene.rail.reading);
-    warn("left rail: ", inclined_twice(inclination_of_rail(left.rail, rail), scene.position.cant));
+    warn("left rail: ",
+         inclined_twice(inclination_of_rail(left.rail, rail), scene.position.rail_inclination));
     out.left_rail = TabulatedProfile(rail);
   }
   if (!left.wheel.empty())

@@ -76,7 +76,7 @@ PatchFatigue fatigue_of_patch(const PatchSummary& patch, double largest_index, b
   out.limit_below = limit_below(out.point.traction);
   out.surface_index = surface_index(out.point);
   out.largest_index = largest_index;
-  out.t_gamma = power ? patch.friction_power : 0.0;
+  out.t_gamma = power ? patch.T_gamma : 0.0;
   out.damage = damage_of(properties.damage, out.t_gamma);
   return out;
 }

@@ -35,7 +35,7 @@ SweepCase case_of(const SceneResult& result, const SweepOptions& options) {
   SweepCase out;
   const bool all = certified(result);
   out.status = all ? CaseStatus::certified : CaseStatus::not_certified;
-  say(out, all ? result.result.remark : why_uncertified(result));
+  say(out, all ? result.result.solver_note : why_not_certified(result));
   out.summary = summary_of(result);
   for (std::size_t i = 0; i < result.result.patches.size(); ++i)
     out.patches.push_back(values_of(patch_quantities(), result, i));
@@ -52,7 +52,7 @@ SweepCase case_of(const WheelsetResult& result, const SweepOptions& options) {
     const SceneResult& wheel = result.state.solved(side);
     const std::string name(name_of(side));
     if (!certified(wheel))
-      say(out, fmt::format("{} wheel: {}", name, why_uncertified(wheel)));
+      say(out, fmt::format("{} wheel: {}", name, why_not_certified(wheel)));
     if (options.seen)
       options.seen(name + "/", wheel);
   }

@@ -39,7 +39,7 @@ Wear wear_of(const SceneResult& r, const Law& law) {
   validate(law);
   require_steady_friction(r);
   const ContactGrid& grid = r.problem.grid;
-  const std::vector<double> power = friction_power(r.result);
+  const std::vector<double> power = friction_work_density(r.result);
   Wear out;
   out.rate.resize(grid.size());
   out.sliding_distance.resize(grid.size());

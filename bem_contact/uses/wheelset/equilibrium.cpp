@@ -71,7 +71,7 @@ WheelsetStiffness stiffness_of_wheel(const SceneResult& r, Point2 centre, const 
     const Point2 across = p.position - centre;
     const Vector3 arm{p.x, across.y, across.z};
     const Wrench force = wrench_at({p.fx, p.fy, p.fz}, arm);
-    const double by_height = hertz_exponent * std::cos(p.delta) / p.approach;
+    const double by_height = hertz_exponent * std::cos(p.delta) / p.overlap;
     const double lever = across.y + across.z * std::tan(p.delta); // of the normal, over its vertical part
     out.by_height += by_height * force;
     out.by_roll += by_height * lever * force;

@@ -150,14 +150,14 @@ void WheelPair::keep_models(const WheelsetState& s) {
   left_scene_ = with_model(std::move(left_scene_), s.left.model);
   if (scene_.solver.model)
     return;
-  right_choice_ = {s.right.reason, s.right.model_enough};
-  left_choice_ = {s.left.reason, s.left.model_enough};
+  right_choice_ = {s.right.why_this_model, s.right.model_enough};
+  left_choice_ = {s.left.why_this_model, s.left.model_enough};
 }
 
 void WheelPair::tell_choice(const std::optional<Choice>& choice, SceneResult& out) const {
   if (!choice)
     return;
-  out.reason = choice->reason;
+  out.why_this_model = choice->why_this_model;
   out.model_enough = choice->enough;
   warn_of_model(out);
 }

@@ -101,7 +101,7 @@ private:
 
   /// Why a model was chosen.
   struct Choice {
-    std::string reason;
+    std::string why_this_model;
     bool enough = true; ///< SceneResult::model_enough
   };
   void keep_models(const WheelsetState& s);

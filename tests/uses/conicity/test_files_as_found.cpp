@@ -25,7 +25,7 @@ struct Conicity {
 };
 
 Conicity conicity(std::vector<SceneChange> changes) {
-  changes.push_back({"position.cant", 0.025});
+  changes.push_back({"position.rail_inclination", 0.025});
   const Warnings warnings;
   const WheelsetOnTrack wheelset = wheelset_of(scene_without_file(changes));
   const WheelsetConicity found = wheelset_conicity(wheelset, {.largest = 3, .step = 1});
@@ -51,7 +51,7 @@ TEST(NegativeCone, IsSaid) {
                                    .right_wheel = wheel,
                                    .left_rail = rail,
                                    .left_wheel = wheel,
-                                   .position = {.cant = 0.025}};
+                                   .position = {.rail_inclination = 0.025}};
     const Warnings warnings;
     wheelset_conicity(wheelset, {.largest = 3, .step = 1});
     return warnings.text();

@@ -33,7 +33,7 @@ WheelsetOnTrack wheelset(const TabulatedProfile& rail, const TabulatedProfile& w
           .right_wheel = wheel,
           .left_rail = rail,
           .left_wheel = wheel,
-          .position = {.cant = cant}};
+          .position = {.rail_inclination = cant}};
 }
 
 TabulatedProfile standard(const char* name, ProfileKind kind) {
@@ -140,7 +140,7 @@ TEST(RollingRadius, EndsWhereAWheelLeavesItsRail) {
 TEST(RollingRadius, TakesTheWheelsetOfAScene) {
   const SceneFile scene =
       parse_scene_file("rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nload.force = 1e5\n"
-                       "position.cant = 0.025\nposition.lateral = 3\nposition.roll = 0.01\n");
+                       "position.rail_inclination = 0.025\nposition.lateral = 3\nposition.roll = 0.01\n");
   const WheelsetOnTrack same = wheelset_of(scene);
   EXPECT_EQ(same.left_wheel.digest(), same.right_wheel.digest());
   EXPECT_NEAR(stand(same, 0).difference(), 0, 1e-9); // neither displacement nor roll of the scene count

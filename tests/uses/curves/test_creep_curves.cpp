@@ -163,7 +163,7 @@ TEST(CreepCurves, SlopesOfAWheelOnARailDoNotDependOnItsCreepages) {
   const auto wheel = [](const std::string& more) {
     return parse_scene_file(
         "rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nload.force = 5e4\n"
-        "solver.model = \"halfspace\"\ngrid.dx = 0.7\ngrid.ds = 0.7\nposition.cant = 0.025\n" +
+        "solver.model = \"halfspace\"\ngrid.dx = 0.7\ngrid.ds = 0.7\nposition.rail_inclination = 0.025\n" +
         more);
   };
   const CreepCurves

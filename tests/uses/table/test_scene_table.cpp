@@ -19,7 +19,7 @@ SceneTable described(const std::string& lists, const std::string& more = "") {
   return parse_scene_table(
       {"rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nsolver.model = \"halfspace\"\n"
        "motion.xi = 1e-3\nmotion.free_rolling = false\n"
-       "grid.dx = 1\ngrid.ds = 1\nposition.cant = 0.025\n" +
+       "grid.dx = 1\ngrid.ds = 1\nposition.rail_inclination = 0.025\n" +
            more + "[table]\n" + lists,
        "scene"});
 }

@@ -141,7 +141,7 @@ TEST(Evolution, SaysWhatSmoothingTook) {
   std::vector<CollectiveCase> cases = collective();
   cases.pop_back();
   cases[0].scene.position.lateral = 6.6;
-  cases[0].scene.position.cant = 0.025;
+  cases[0].scene.position.rail_inclination = 0.025;
   cases[0].scene.grid.dx = 0.3;
   cases[0].scene.grid.ds = 0.1;
   const WornPair before = unworn(cases.front().scene);

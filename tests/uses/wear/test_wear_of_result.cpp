@@ -79,7 +79,7 @@ TEST(WearOfResult, VolumeIsTheSumOverTheElements) {
 TEST(WearOfResult, MildWearIsTGamma) {
   const EnergyLaw mild{.mild = 5.3, .mild_until = 1e9, .severe_until = 1e9};
   const SceneResult r = rolling(mixed);
-  const double t_gamma = friction_power(r.result, r.problem.element_area());
+  const double t_gamma = T_gamma(r.result, r.problem.element_area());
   EXPECT_NEAR(wear_of(r, mild).volume_per_distance, 5.3e-12 / 7.8e-6 * t_gamma,
               1e-9 * 5.3e-12 / 7.8e-6 * t_gamma);
 }
@@ -113,7 +113,7 @@ struct EnergyBalance {
 };
 EnergyBalance energy_balance(const SceneResult& r) {
   const ContactProblem& p = r.problem;
-  EnergyBalance out{.dissipated = friction_power(r.result, p.element_area())};
+  EnergyBalance out{.dissipated = T_gamma(r.result, p.element_area())};
   for (int i = 0; i < p.grid.size(); ++i) {
     const double wx = p.slip_x[i] + r.result.creepage_x,
                  ws = p.slip_s[i] + r.result.creepage_s * p.lateral_share(i / p.grid.mx);

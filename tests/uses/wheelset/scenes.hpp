@@ -21,9 +21,10 @@ inline SceneFile cones(const std::string& more) {
 
 /// S1002 on 60E1, inclined 1:40.
 inline SceneFile standard(const std::string& more) {
-  return parse_scene_file("rail.profile = '60E1'\nwheel.profile = 'S1002'\nsolver.model = 'halfspace'\n"
-                          "position.cant = 0.025\nwheelset.force = 2e5\ngrid = { dx = 0.8, ds = 0.6 }\n" +
-                          more);
+  return parse_scene_file(
+      "rail.profile = '60E1'\nwheel.profile = 'S1002'\nsolver.model = 'halfspace'\n"
+      "position.rail_inclination = 0.025\nwheelset.force = 2e5\ngrid = { dx = 0.8, ds = 0.6 }\n" +
+      more);
 }
 
 } // namespace bem_contact

@@ -222,7 +222,7 @@ TEST(Wheelset, StaysInTheMiddleUnderNoLateralForce) {
 TEST(Wheelset, EndsInTheMiddleWithinItsStatedError) {
   struct Case {
     const char *rail, *wheel;
-    double cant, force, from;
+    double inclination, force, from;
     const char* more;
   };
   const char* hollow = CONFORMAL_SOURCE_DIR "/data/bodies/hollow_wheel.txt";
@@ -232,10 +232,10 @@ TEST(Wheelset, EndsInTheMiddleWithinItsStatedError) {
                         {"60E2", "S1002", 0.05, 1.4e5, -0.7, "grid.accuracy = 0.1\n"},
                         {"54E1", hollow, 0.05, 1.55e5, 1.2, "grid.accuracy = 0.05\n"},
                         {"60E1", hollow, 0.025, 1.5e5, -1.6, "grid = { dx = 1.3, ds = 0.7 }\n"}}) {
-    const WheelsetResult r = solve_wheelset(parse_scene_file(
-        fmt::format("rail.profile = '{}'\nwheel.profile = '{}'\nposition = {{ cant = {}, lateral = {} }}\n"
-                    "wheelset = {{ force = {}, force_y = 0 }}\nsolver.model = 'halfspace'\n{}",
-                    c.rail, c.wheel, c.cant, c.from, c.force, c.more)));
+    const WheelsetResult r = solve_wheelset(parse_scene_file(fmt::format(
+        "rail.profile = '{}'\nwheel.profile = '{}'\nposition = {{ rail_inclination = {}, lateral = {} }}\n"
+        "wheelset = {{ force = {}, force_y = 0 }}\nsolver.model = 'halfspace'\n{}",
+        c.rail, c.wheel, c.inclination, c.from, c.force, c.more)));
     SCOPED_TRACE(fmt::format("{} on {} from {}: {} +- {}", c.wheel, c.rail, c.from, r.state.pose.lateral,
                              r.lateral_error));
     EXPECT_LE(r.lateral_residual, 2e-6);
@@ -281,8 +281,8 @@ TEST(Wheelset, AChosenModelSaysWhyAndIsSolvedFewTimes) {
                        "wheelset.force = 8e4\nmotion.friction = 0.3\n");
   const WheelsetResult r = solve_wheelset(scene);
   EXPECT_EQ(r.state.right.model, Model::tangent_plane);
-  EXPECT_THAT(r.state.right.reason, testing::HasSubstr("the normal turns by"));
-  EXPECT_THAT(r.state.left.reason, testing::HasSubstr("the normal turns by"));
+  EXPECT_THAT(r.state.right.why_this_model, testing::HasSubstr("the normal turns by"));
+  EXPECT_THAT(r.state.left.why_this_model, testing::HasSubstr("the normal turns by"));
   EXPECT_LE(r.residual, 1e-6);
 
   WheelPair others(scene);

@@ -32,7 +32,7 @@ TEST(WheelsetScene, RefusesWhatBelongsToOneWheel) {
 /// What is wrong with the axle's force is said of the wheelset, not of one wheel.
 TEST(WheelsetScene, AWarningOfTheAxleBelongsToTheWheelset) {
   const WheelsetDescription found = check_wheelset(
-      parse_scene_file("rail.profile = '60E1'\nwheel.profile = 'S1002'\nposition.cant = 0.025\n"
+      parse_scene_file("rail.profile = '60E1'\nwheel.profile = 'S1002'\nposition.rail_inclination = 0.025\n"
                        "motion.friction = 0.3\nwheelset.force = 200\n"));
   EXPECT_THAT(found.warnings, testing::ElementsAre(testing::HasSubstr("wheelset.force looks like kN")));
   EXPECT_THAT(found.right.warnings, testing::ElementsAreArray(found.left.warnings));

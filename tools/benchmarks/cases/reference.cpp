@@ -30,7 +30,7 @@ Reference reference_of(SceneFile scene, const SceneFile::Grid& grid, int finer) 
       const ContactResult r = Sequence().solve(scene).result;
       if (r.converged)
         return {along_x, r.Fx, r.Fs, r.Fy, r.approach, r.Fz, scene.motion.friction};
-      reason = r.remark;
+      reason = r.solver_note;
     } catch (const Error& error) {
       reason = error.what();
     }
