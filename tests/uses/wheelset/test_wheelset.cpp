@@ -1,7 +1,6 @@
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/uses/wheelset/equilibrium_finder.hpp"
 #include "bem_contact/uses/wheelset/quantities.hpp"
-#include "tests/sanitized.hpp"
 #include "tests/uses/wheelset/scenes.hpp"
 
 #include <gmock/gmock.h>
@@ -192,7 +191,6 @@ TEST(Wheelset, FindsTheDisplacementOfALateralForce) {
 /// On the flange, from beside it and from the tread: there a wheel's height bends sharply over the roll, and
 /// far from a known equilibrium none is found.
 TEST(Wheelset, FindsTheDisplacementOfAForceOnTheFlange) {
-  NEEDS_NO_SANITIZER();
   for (const auto& [force, from] : {std::pair{1.2e5, 6.3}, {2e5, 0.0}, {2.8e5, 0.0}}) {
     const WheelsetResult r =
         solve_wheelset(standard(fmt::format("wheelset.force_y = {}\nposition.lateral = {}\n", force, from)));
