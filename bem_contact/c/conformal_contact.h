@@ -96,8 +96,8 @@ int conformal_totals(conformal_contact* handle, double* totals, int count);
  * as by the model "hertz". */
 int conformal_total_errors(conformal_contact* handle, double* errors, int count);
 
-/* The model that the last result was solved with ("hertz", "halfspace", "tangent_plane" or "fem"), and why it
- * was this one. *reason is valid until the next conformal_solve(). */
+/* The model that the last result was solved with (its name in scenes, as "halfspace"), and why it was this
+ * one. *reason is valid until the next conformal_solve(). */
 int conformal_model(conformal_contact* handle, const char** name, const char** reason);
 
 /* Why the numbers of the last result have no stated errors, and what to do; "" if they have.

@@ -29,7 +29,7 @@ using namespace py::literals;
 
 std::vector<Model> models_of(const py::object& names) {
   if (names.is_none())
-    return {Model::halfspace, Model::fem};
+    return models_to_compare();
   if (py::isinstance<py::str>(names) || !py::isinstance<py::iterable>(names))
     refuse_type("The models cannot be used", std::string(py::str(py::type::of(names))) + " is no list",
                 "Give a list of names, as [\"halfspace\", \"fem\"].");

@@ -225,7 +225,7 @@ void add_fields(ResultClass& c) {
 void add_trust(ResultClass& c) {
   c.def_property_readonly(
       "model", [](const SceneResult& r) { return std::string(name_of(r.model)); },
-      "hertz, halfspace, tangent_plane or fem");
+      "Its name in scenes, as halfspace");
   c.def_readonly("reason", &SceneResult::why_this_model, "Why this model");
   c.def_property_readonly("why_no_errors", why_no_errors,
                           "Why numbers have no stated errors, and what to do; \"\" where they have");
@@ -276,16 +276,17 @@ PYBIND11_MODULE(_core, m) {
   add_trust(result);
 
   using namespace py::literals;
-  constexpr const char* of_arguments =
+  const std::string of_arguments =
       "`scene`: the path of a scene file; the text of one (more than one line of TOML); or a dict, as "
       "{\"load\": {\"force\": 1e5}, \"rail.profile\": \"60E1\"}. Relative paths start in the file's folder, "
       "of a text or a dict in `folder` (None: the working directory). `changes`: values of the scene's keys "
       "instead of the file's, as {\"position.lateral\": 6.6} or {\"position\": {\"lateral\": 6.6}}; numbers "
-      "and arrays may be NumPy's. `model`: "
-      "auto, hertz, halfspace, tangent_plane or fem; \"\" takes the scene's own. Raises InputError (a "
+      "and arrays may be NumPy's. `model`: " +
+      all_models() +
+      "; \"\" takes the scene's own. Raises InputError (a "
       "ValueError) for wrong input. `strict`: warnings are errors. Lack of convergence is in the result.";
   m.def("solve", solve_one, "scene"_a = py::none(), "changes"_a = py::none(), "model"_a = py::none(),
-        "strict"_a = false, "folder"_a = py::none(), of_arguments);
+        "strict"_a = false, "folder"_a = py::none(), of_arguments.c_str());
   py::class_<PythonSequence>(
       m, "Sequence",
       "Solves one scene with many changes, each from what the former ones taught: files are read once, and a "
@@ -295,7 +296,7 @@ PYBIND11_MODULE(_core, m) {
       "thousands of elements in contact; results are the same.")
       .def(py::init(&sequence_of), "scene"_a = py::none(), "folder"_a = py::none(), "threads"_a = 1)
       .def("solve", &solve_changed, "changes"_a = py::none(), "model"_a = py::none(), "strict"_a = false,
-           of_arguments);
+           of_arguments.c_str());
   add_functions(m);
   add_check_and_sweep(m);
   add_profile(m);

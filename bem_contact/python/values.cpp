@@ -229,12 +229,16 @@ std::vector<SceneChange> changes_of(const py::object& changes) {
   return list;
 }
 
+std::string all_models() {
+  return fmt::format("{}, {}", automatic_model, fmt::join(EnumNames<Model>::names, ", "));
+}
+
 std::string model_of(const py::object& model) {
   if (model.is_none())
     return "";
   if (!py::isinstance<py::str>(model))
     refuse_type("The model cannot be used", fmt::format("its type is {}", type_name(model)),
-                "Give 'auto', 'hertz', 'halfspace', 'tangent_plane' or 'fem'.");
+                fmt::format("Give one of {}.", all_models()));
   return text_of(model, "model");
 }
 

@@ -29,6 +29,8 @@ std::vector<SceneChange> changes_of(const pybind11::object& changes);
 std::string text_of(const pybind11::object& text, const char* what);
 /// A text or a pathlib.Path.
 std::string path_of(const pybind11::object& path);
+/// "auto, hertz ...": what solver.model may be.
+std::string all_models();
 /// None and "": the scene's own.
 std::string model_of(const pybind11::object& model);
 /// A copy, as an array of one dimension.

@@ -6,7 +6,7 @@ const radiusOf = contact => {
 };
 
 const addContactFigures = (contact, solid) => {
-  const title = TITLES[contact.name];
+  const title = titleOf(contact.name);
   if (!extent(contact))
     return add("p", "Nothing is in contact.");
   const shaped = contact.rail && contact.wheel && contact.y && contact.delta && !flat(contact);
@@ -52,15 +52,15 @@ const addResult = () => {
 const addCreepForces = creep => {
   if (!creep)
     return;
-  const models = Object.keys(TITLES).filter(name => creep.Fx[name]);
+  const models = namesIn(creep.Fx).filter(name => creep.Fx[name].values);
   addTable("Fx on the rail (N) at equal creepage beyond free rolling, each model at its place at equal forces",
-           ["creepage", ...models.map(name => SHORT[name])], creep.xi_from_free_rolling.values.map((xi, k) =>
+           ["creepage", ...models.map(shortOf)], creep.xi_from_free_rolling.values.map((xi, k) =>
              [String(xi), ...models.map(name => number(creep.Fx[name].values[k], creep.Fx_error[name].values[k]))]), {id: "creep-forces"});
 };
 
 const addComparison = () => {
   const sets = Object.keys(SETS).filter(name => contactsOf(data[name]).length);
-  const all = sets.flatMap(name => contactsOf(data[name]).map(contact => [`${SETS[name]}, ${SHORT[contact.name]}`, contact]));
+  const all = sets.flatMap(name => contactsOf(data[name]).map(contact => [`${SETS[name]}, ${shortOf(contact.name)}`, contact]));
   const broken = all.filter(([, contact]) => !certifiedOf(contact.group));
   const box = add("div", "", page, {className: broken.length ? "certificate broken" : "certificate"});
   add("p", broken.length ? `NOT certified: ${broken.map(([title]) => title).join("; ")}.` : "All results are certified.", box);
@@ -80,10 +80,10 @@ const addComparison = () => {
     height: 340, traces: contacts.map((contact, k) => {
       const [, column] = peak(contact);
       return {type: "scatter", mode: "lines", x: contact.s, y: contact.pn.map(line => line[column]),
-              name: TITLES[contact.name], line: {color: PRESSURE[1][1], width: 2.5 - 0.5 * k, dash: dashes[k]}};
+              name: titleOf(contact.name), line: {color: PRESSURE[1][1], width: 2.5 - 0.5 * k, dash: dashes[k]}};
     }), layout: {xaxis: {title: "s along the rail, mm"}, yaxis: {title: "pressure, MPa"}, legend: ABOVE}});
   contacts.forEach((contact, k) => {
-    add("h3", TITLES[contact.name]);
+    add("h3", titleOf(contact.name));
     addContactFigures(contact, k === 0);
   });
 };
@@ -158,7 +158,7 @@ const addConicity = () => {
 const addWheelset = () => {
   const wheels = contactsOf(data), track = side => data[side].track, sum = name => data.wheelset[name]?.values[0];
   for (const wheel of wheels) {
-    add("h3", TITLES[wheel.name]);
+    add("h3", titleOf(wheel.name));
     addCertificate(wheel);
   }
   add("h2", "Both wheels");
@@ -167,9 +167,9 @@ const addWheelset = () => {
      number(sum(name)), unitText(track("right")[name].unit),
      track("right")[name].description]), {numbers: [1, 2, 3], id: "track"});
   for (const wheel of wheels) {
-    add("h2", TITLES[wheel.name]);
+    add("h2", titleOf(wheel.name));
     addContactFigures(wheel, true);
-    addQuantities([wheel], `${TITLES[wheel.name]}, in the frame of its side`, `quantities-${wheel.name}`);
+    addQuantities([wheel], `${titleOf(wheel.name)}, in the frame of its side`, `quantities-${wheel.name}`);
   }
 };
 

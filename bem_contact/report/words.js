@@ -77,6 +77,9 @@ const addTable = (caption, head, lines, {parent = page, numbers, id = "", wide =
 const TITLES = {fem: "Finite-element influence functions", tangent_plane: "Tangent planes", halfspace: "Half-space",
                 hertz: "Hertz", right: "Right wheel", left: "Left wheel"}; // in that order; of wheelsets the last two
 const SHORT = {fem: "FEM", tangent_plane: "tangent plane", halfspace: "half-space", hertz: "Hertz"};
+// A model that is not here has its name in scenes, and stands behind the others.
+const titleOf = name => TITLES[name] ?? name, shortOf = name => SHORT[name] ?? name;
+const namesIn = group => [...new Set([...Object.keys(TITLES), ...Object.keys(group ?? {})])].filter(name => group?.[name]);
 const SETS = {at_equal_forces: "At equal forces", at_equal_position: "At equal position and vertical force"};
 for (const set of Object.keys(SETS)) // files before 0.2
   data[set] ??= data[set.slice(3)];
@@ -90,7 +93,7 @@ const contactsOf = group => {
   if (group?.p_n)
     return [contactOf(group.attributes.model, group, group)];
   const inside = name => group?.[name]?.result ?? group?.[name];
-  return Object.keys(TITLES).filter(name => inside(name)?.p_n)
+  return namesIn(group).filter(name => inside(name)?.p_n)
     .map(name => contactOf(name, inside(name).x ? inside(name) : group, inside(name)));
 };
 /// A number of a group; undefined where it has none. Several names: the later ones of older files.
@@ -147,7 +150,7 @@ const sceneInWords = () => {
         ` The creepages are xi ${q("xi")}, eta ${q("eta")} and phi ${q("phi")} ${quantities.phi?.unit ?? ""}.`)
       : "There is no friction.");
     for (const {name, group} of report.kind === "result" ? [contact] : [])
-      out.push(`The model is ${name} (${TITLES[name].toLowerCase()}): ${group.attributes.why_this_model ?? group.attributes.reason}. The grid has ${q("mx")} × ` +
+      out.push(`The model is ${name} (${titleOf(name).toLowerCase()}): ${group.attributes.why_this_model ?? group.attributes.reason}. The grid has ${q("mx")} × ` +
                `${q("ms")} elements of ${q("dx")} × ${q("ds")} mm.`);
   }
   if (swept.length)
@@ -188,7 +191,7 @@ const addQuantities = (contacts, caption, id) => {
   const line = name => { const q = contacts[0].group.quantities[name];
                          return [name, ...contacts.map(c => value(c, name)), unitText(q.unit), q.description]; };
   const all = Object.keys(contacts[0].group.quantities).filter(name => !name.endsWith("_error"));
-  const head = ["", ...contacts.map(c => contacts.length > 1 ? SHORT[c.name] : "value ± error"), "unit", ""];
+  const head = ["", ...contacts.map(c => contacts.length > 1 ? shortOf(c.name) : "value ± error"), "unit", ""];
   const known = name => contacts.some(c => c.group.quantities[name]?.values[0] !== null);
   const numbers = contacts.map((_, k) => k + 1);
   const wide = contacts.length > 2;

@@ -24,4 +24,18 @@ std::optional<Model> model_named(const std::string& name) {
   return static_cast<Model>(found - names.begin());
 }
 
+std::vector<Model> models_to_compare() {
+  return {Model::halfspace, Model::fem};
+}
+
+std::string models_help() {
+  constexpr std::size_t width = 13;
+  std::string out;
+  for (const ModelWords& words : model_words)
+    out += fmt::format("  {:<{}}  {}\n", words.name, width, words.help);
+  return out +
+         fmt::format("  {:<{}}  the cheapest of them whose predicted error is below solver.model_tolerance\n",
+                     automatic_model, width);
+}
+
 } // namespace bem_contact

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// What a scene chooses between, with the names that files, commands, reports and Python use.
 namespace bem_contact {
@@ -54,11 +55,39 @@ template <> struct EnumNames<ContactMotion> {
   static constexpr std::array<std::string_view, 2> names{"linear", "placed"};
 };
 
-/// What is taken for the bodies, cheapest first: Hertz's closed form; influence numbers of the half-space;
-/// of half-spaces in the elements' tangent planes; of the bodies themselves, from influence files.
+/// The model of the bodies' elasticity. Sweeps keep a model as its number here, so a new one comes last.
 enum class Model { hertz, halfspace, tangent_plane, fem };
+
+/// What a scene knows of a model, and how people read it. How it is solved is in sequence/models.hpp.
+struct ModelWords {
+  std::string_view name;  ///< in scenes, options and files
+  std::string_view title; ///< at the head of a column
+  std::string_view help;  ///< what it takes the bodies for
+  bool needs_files;       ///< its influence numbers come from influence files of both bodies
+};
+
+/// One row for each model, in the order of the enum.
+inline constexpr auto model_words = std::to_array<ModelWords>({
+    {"hertz", "Hertz",
+     "no elements: the closed form for a contact without friction and with constant curvatures", false},
+    {"halfspace", "half-space",
+     "the elastic half-space, the profiles unrolled: distances count along the arc", false},
+    {"tangent_plane", "tangent plane",
+     "a half-space at the tangent plane of each element: the surface turns, but has no other shape", false},
+    {"fem", "FEM", "influence files of both bodies, computed by finite elements", true},
+});
+
+constexpr const ModelWords& words_of(Model model) {
+  return model_words[static_cast<std::size_t>(model)];
+}
+
 template <> struct EnumNames<Model> {
-  static constexpr std::array<std::string_view, 4> names{"hertz", "halfspace", "tangent_plane", "fem"};
+  static constexpr auto names = [] {
+    std::array<std::string_view, model_words.size()> all;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      all[i] = model_words[i].name;
+    return all;
+  }();
 };
 
 /// What grid.accuracy may be about. `forces`: forces, moment and approach (Discretisation::worst()).
@@ -83,5 +112,11 @@ std::string name_of(std::optional<Model> model);
 
 /// The model of that name, empty for "auto". Throws InputError for a text that is neither a model nor "auto".
 std::optional<Model> model_named(const std::string& name);
+
+/// The models that are compared if none are named.
+std::vector<Model> models_to_compare();
+
+/// One line for each model: its name, and what it takes the bodies for. The last one is "auto".
+std::string models_help();
 
 } // namespace bem_contact

@@ -259,7 +259,8 @@ void check_keys(const SceneFile& f, const Schema& s) {
     check_patch(f, s);
   else
     check_wheel_rail(f, s);
-  if (f.solver.model == Model::fem && f.rail.influence.empty() && f.wheel.influence.empty())
+  if (f.solver.model && words_of(*f.solver.model).needs_files && f.rail.influence.empty() &&
+      f.wheel.influence.empty())
     s.refuse("solver.model", "no influence file is given",
              "Give rail.influence and wheel.influence, or use model = \"halfspace\".");
 }

@@ -1,6 +1,7 @@
 #include "bem_contact/sequence/comparison.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 
 #include <algorithm>
@@ -90,8 +91,8 @@ Comparison compare_models(const SceneFile& scene, std::vector<Model> models, con
                           const BeyondSolver& solve_beyond) {
   require_comparable(scene, models);
   Comparison out;
-  const auto fem = std::ranges::find(models, Model::fem);
-  out.reference = fem != models.end() ? fem - models.begin() : models.size() - 1;
+  const auto real_bodies = std::ranges::find_if(models, has_files);
+  out.reference = real_bodies != models.end() ? real_bodies - models.begin() : models.size() - 1;
   out.models = std::move(models);
   const Model reference = out.models[out.reference];
 

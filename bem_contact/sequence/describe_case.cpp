@@ -4,6 +4,7 @@
 #include "bem_contact/base/fixed_text.hpp"
 #include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/scene/warnings.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/numbers/settings.hpp"
 #include "bem_contact/sequence/plan/model_choice.hpp"
 #include "bem_contact/sequence/solution/grow_grid.hpp"
@@ -48,7 +49,7 @@ Range strip_for(const Range& rows, const TabulatedProfile& profile) {
 /// The frictionless contact on the grid that it ends with.
 GridSolution grown_contact(const ContactCase& asked, const ContactOnGrid& contact, Model model) {
   WorkBudget work;
-  return solve_on_growing_grid(asked, contact, {model, true}, {.work = work}, model == Model::fem);
+  return solve_on_growing_grid(asked, contact, {model, true}, {.work = work}, has_files(model));
 }
 
 void add_strip(const char* body, const Range& strip, std::vector<std::string>& lines) {
@@ -85,7 +86,7 @@ FitOnStrips fit_on_strips(const ContactCase& asked) {
     return {};
   try {
     const GridSolution solved =
-        grown_contact(asked, asked.setup.on(first_plan(asked, asked.scene.grid, true)), Model::fem);
+        grown_contact(asked, asked.setup.on(first_plan(asked, asked.scene.grid, true)), model_of_files());
     return {.rail_room = room_on(asked.files.rail->strip(), solved.contact.rail_s, solved),
             .wheel_room = room_on(asked.files.wheel->strip(), solved.contact.wheel_s, solved)};
   } catch (const OffStripError& error) {
@@ -106,7 +107,7 @@ std::vector<std::string> describe_strips(const ContactCase& asked, const Contact
   const double ds = contact.problem.grid.ds;
   Range rail = range_of(contact.rail_s, ds), wheel = range_of(contact.wheel_s, ds);
   try {
-    const ContactOnGrid grown = grown_contact(asked, contact, Model::halfspace).contact;
+    const ContactOnGrid grown = grown_contact(asked, contact, rough_model).contact;
     rail = range_of(grown.rail_s, ds);
     wheel = range_of(grown.wheel_s, ds);
   } catch (const Error&) { // what is wrong with the scene is said where it is solved; the first grid serves
@@ -237,7 +238,7 @@ std::string influence_text(const char* body, const std::shared_ptr<InfluenceFile
 SceneDescription describe_case(const ContactCase& asked) {
   const SceneFile& scene = asked.scene;
   const ContactOnGrid contact =
-      asked.setup.on(first_plan(asked, scene.grid, scene.solver.model == Model::fem));
+      asked.setup.on(first_plan(asked, scene.grid, scene.solver.model && has_files(*scene.solver.model)));
   const ContactProblem& problem = contact.problem;
   std::vector<std::string> lines;
   lines.push_back(fmt::format("kind: {}", name_of(scene.kind)));

@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/sequence/asked_error.hpp"
 #include "bem_contact/sequence/lateral/settings.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/settings.hpp"
 
 #include <algorithm>
@@ -164,7 +165,7 @@ std::vector<std::string> result_warnings(const ContactCase& asked, const SceneRe
   warn_of_head(asked, r, out);
   warn_of_kinetic_friction(r.problem, out);
   warn_of_convergence(r.result, out);
-  if (r.model != Model::hertz && !r.result.touches_border)
+  if (!is_closed_form(r.model) && !r.result.touches_border)
     warn_of_large_elements(r, out);
   return out;
 }

@@ -6,6 +6,7 @@
 #include "bem_contact/sequence/describe_case.hpp"
 #include "bem_contact/sequence/lateral/lateral_search.hpp"
 #include "bem_contact/sequence/lateral/settings.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/numbers/sequence_files.hpp"
 #include "bem_contact/sequence/plan/contact_case.hpp"
 #include "bem_contact/sequence/plan/contact_estimate.hpp"
@@ -49,7 +50,7 @@ bool fine_enough(const ContactGrid& former, const SceneFile::Grid& wanted) {
 
 /// What rough solutions of lateral forces are of: the same question with half-space numbers.
 SceneFile rough_scene(const SceneFile& scene) {
-  SceneFile rough = with_model(scene, Model::halfspace);
+  SceneFile rough = with_model(scene, rough_model);
   rough.grid = SceneFile::Grid();
   rough.grid.rows = scene.grid.rows;
   rough.grid.planar = scene.grid.planar;

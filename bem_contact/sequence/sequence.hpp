@@ -70,7 +70,7 @@ public:
   /// reference model (Comparison::reference). A prescribed approach is replaced by the force that the
   /// reference finds for it. Throws what solve() throws, and InputError for fewer than two models. `stop`: as
   /// in solve().
-  Comparison compare(const SceneFile& scene, std::vector<Model> models = {Model::halfspace, Model::fem},
+  Comparison compare(const SceneFile& scene, std::vector<Model> models = models_to_compare(),
                      const std::atomic<bool>* stop = nullptr);
 
   /// What would be solved, after everything short of the solve has been checked. Throws what solve() would

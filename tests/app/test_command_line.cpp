@@ -32,6 +32,17 @@ protected:
   }
 };
 
+TEST_F(CommandLine, EveryModelIsExplainedAndCanBeAskedFor) {
+  const std::string help = run("solve --help").out, scene = write("s.toml", hertz).string();
+  for (const ModelWords& words : model_words) {
+    EXPECT_THAT(help, HasSubstr(fmt::format("  {:<13}  {}\n", words.name, words.help)));
+    const Outcome r = run(fmt::format("solve '{}' --model {}", scene, words.name));
+    EXPECT_THAT(r.err, ::testing::Not(HasSubstr("--model"))) << "the option knows it";
+  }
+  refused(run(fmt::format("solve '{}' --model gummy", scene)),
+          {"gummy", std::string(model_words.back().name)});
+}
+
 TEST_F(CommandLine, SolvePrintsOneJsonObject) {
   const Outcome r = run("solve '" + write("s.toml", hertz).string() + "' --json");
   ASSERT_EQ(r.code, 0) << r.err;

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/contact_centre.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/plan/contact_case.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "tests/base/temporary_folder.hpp"

@@ -29,11 +29,15 @@ if(CONFORMAL_SANITIZE)
                       $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:-no-pie>)
 endif()
 
-# conformal_room(<target> [SHARED] SOURCES ... [ROOMS ...] [LIBRARIES ...])
+# conformal_room(<target> [SHARED] [SOURCES ...] [ROOMS ...] [LIBRARIES ...])
+#   SOURCES    without it: every source below the room's folder
 #   ROOMS      rooms whose headers this room's headers include (the arrows of the design)
 #   LIBRARIES  third-party targets, private to the room
 function(conformal_room target)
   cmake_parse_arguments(ARG "SHARED" "" "SOURCES;ROOMS;LIBRARIES" ${ARGN})
+  if(NOT ARG_SOURCES)
+    file(GLOB_RECURSE ARG_SOURCES CONFIGURE_DEPENDS *.cpp)
+  endif()
   if(ARG_SHARED)
     add_library(${target} SHARED ${ARG_SOURCES})
     set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${CONFORMAL_SOVERSION})
@@ -69,12 +73,17 @@ if(CONFORMAL_TESTS)
     <algorithm> <cmath> <filesystem> <fstream> <string> <vector> <fmt/format.h> <gmock/gmock.h>)
 endif()
 
-# conformal_test(<name> SOURCES ... [SOLVERS ...] ROOMS ... [LIBRARIES ...]): one GoogleTest program a room. It is one test
+# conformal_test(<name> [SOURCES ...] [SOLVERS ...] ROOMS ... [LIBRARIES ...]): one GoogleTest program a room. It is one test
 # for ctest: a process for each of its tests took twice the time.
+#   SOURCES    without it: every source of the folder
 #   SOLVERS    sources that compute much themselves. The others are not optimised: they call the rooms,
 #              and compile in half the time.
 function(conformal_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;SOLVERS;ROOMS;LIBRARIES" ${ARGN})
+  if(NOT ARG_SOURCES)
+    file(GLOB ARG_SOURCES CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cpp)
+    list(REMOVE_ITEM ARG_SOURCES ${ARG_SOLVERS})
+  endif()
   add_executable(${name} ${ARG_SOURCES})
   target_compile_options(${name} PRIVATE -O0)
   set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 20)

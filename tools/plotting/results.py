@@ -139,7 +139,7 @@ def draw_comparison(files):
     with h5py.File(files[0]) as file:
         name = next(name for name in SETS if name in file)
         found = results_in(file[name])
-        contacts = [Contact(m, *found[m]) for m in style.MODELS if m in found]
+        contacts = [Contact(m, *found[m]) for m in style.MODELS.those_of(found)]
         lines = list(numbers_of(contacts[::-1]))  # the simplest model first, as the program prints
         rows = -(-len(contacts) // 2)
         heights = (rows * patch_height(contacts), 0.3, 3.6, 0.5 + 0.27 * len(lines))

@@ -22,8 +22,21 @@ STRESS = LinearSegmentedColormap.from_list("stress", ["#ffffff", "#4a4a4a"])
 BODIES = {"rail": (RAIL, "-", "o"), "wheel": (WHEEL, "--", "s")}  # colour, line, mark
 FORCES = {"Fx": (ALONG_X, "-", "o"), "Fs": (ALONG_S, "--", "s"), "Fy": (ALONG_S, "--", "s"), "Fz": (INK, ":", "D"),
           "Mz": (INK, "-.", "d")}
-MODELS = {"fem": ("Finite-element influence functions", "FEM", "-"), "tangent_plane": ("Tangent planes", "tangent plane", "--"),
-          "halfspace": ("Half-space", "half-space", ":"), "hertz": ("Hertz", "Hertz", "-.")}  # title, short, line
+
+
+class Models(dict):
+    """Title, short title and line of each model. A model that is not here has its name in scenes."""
+
+    def __missing__(self, name):
+        return name, name, "-"
+
+    def those_of(self, found):
+        """The models that are found, in this order, and others behind."""
+        return [*(m for m in self if m in found), *(m for m in found if m not in self)]
+
+
+MODELS = Models({"fem": ("Finite-element influence functions", "FEM", "-"), "tangent_plane": ("Tangent planes", "tangent plane", "--"),
+                 "halfspace": ("Half-space", "half-space", ":"), "hertz": ("Hertz", "Hertz", "-.")})
 BELOW_LABEL = 42  # points
 PICTURES = (".png", ".pdf", ".svg")
 ACROSS, UP = "x, rolling direction, mm", "s along the rail, mm"

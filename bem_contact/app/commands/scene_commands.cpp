@@ -30,7 +30,7 @@ namespace bem_contact::app {
 
 namespace {
 
-constexpr const char* solve_help =
+constexpr const char* solve_help_begin =
     R"(Example: a wheel-like body rolls steadily with creepage and spin.
     bem_contact solve data/scenes/steady_rolling.toml
 You should see one patch of 13.8 mm2 with a largest pressure of 437.0 MPa, and the forces on the rail: Fx 671.5 N,
@@ -38,12 +38,9 @@ Fy 919.8 N, Fz 4000.0 N. +- says how far the size of the elements may put a numb
 contact condition is violated by more than 1e-6 (relative); code that is not part of the solver checks that.
 
 --model says where the influence numbers come from:
-  hertz          no elements: the closed form for a contact without friction and with constant curvatures
-  halfspace      the elastic half-space, the profiles unrolled: distances count along the arc
-  tangent_plane  a half-space at the tangent plane of each element: the surface turns, but has no other shape
-  fem            influence files of both bodies, computed by finite elements
-  auto           the cheapest of them whose predicted error is below solver.model_tolerance
+)";
 
+constexpr const char* solve_help_end = R"(
 A result file (-o) keeps its scene and its inputs, so that it can be solved again: `bem_contact solve result.h5`.
 More, and how to draw it: data/tutorial/solve.md.
 
@@ -74,8 +71,8 @@ Exit code 0: the scene can be solved. 2: it cannot, or --strict is set and there
 
 struct SceneArguments {
   std::string file, model, output, vtk;
-  std::string folder; ///< of a repeated result: where its scene's paths start
-  std::vector<std::string> models{"halfspace", "fem"}; ///< of compare
+  std::string folder;              ///< of a repeated result: where its scene's paths start
+  std::vector<std::string> models; ///< of compare; empty: models_to_compare()
   bool json = false, strict = false;
   int threads = 1;
 };
@@ -152,6 +149,8 @@ ExitCode run_solve(const SceneArguments& arguments) {
 }
 
 std::vector<Model> models_of(const std::vector<std::string>& names) {
+  if (names.empty())
+    return models_to_compare();
   std::vector<Model> models;
   for (const std::string& name : names)
     models.push_back(model_named(name).value());
@@ -225,7 +224,7 @@ ExitCode run_check(const SceneArguments& arguments) {
 }
 
 /// The subcommand with what all three have: the scene file and a tutorial.
-CLI::App* add_scene_command(CLI::App& program, const char* name, const char* what, const char* help,
+CLI::App* add_scene_command(CLI::App& program, const char* name, const char* what, const std::string& help,
                             SceneArguments& arguments) {
   CLI::App* line = program.add_subcommand(name, what);
   line->add_option("scene", arguments.file, "Scene file (TOML)")->required();
@@ -246,7 +245,8 @@ void add_threads(CLI::App& line, int& threads) {
 
 Command add_solve(CLI::App& program) {
   const auto arguments = std::make_shared<SceneArguments>();
-  CLI::App* line = add_scene_command(program, "solve", "Solve a scene", solve_help, *arguments);
+  CLI::App* line = add_scene_command(program, "solve", "Solve a scene",
+                                     solve_help_begin + models_help() + solve_help_end, *arguments);
   line->get_option("scene")->description("Scene file (TOML), or a result file (HDF5) to solve again");
   add_model(*line, arguments->model);
   add_json(*line, arguments->json);

@@ -57,9 +57,7 @@ std::string row_label(const std::string& name, const std::string& unit) {
 }
 
 std::string title_of(Model model) {
-  constexpr const char* titles[] = {"Hertz", "half-space", "tangent plane", "FEM"};
-  static_assert(std::size(titles) == EnumNames<Model>::names.size());
-  return titles[static_cast<std::size_t>(model)];
+  return std::string(words_of(model).title);
 }
 
 std::string discretisation_text(const SceneResult& r) {

@@ -3,6 +3,7 @@
 #include "bem_contact/app/output/asked_output.hpp"
 #include "bem_contact/base/fixed_text.hpp"
 #include "bem_contact/record/error_text.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
 
@@ -135,8 +136,9 @@ std::string reason_text(const SceneResult& r) {
   const bool plane =
       std::ranges::all_of(rows, [&](const ContactRow& row) { return row.delta == rows.front().delta; });
   const bool judged = r.why_this_model.starts_with("the normal turns"); // or the scene names the model
-  return r.model == Model::halfspace && plane && judged && r.model_enough ? "the surfaces are flat"
-                                                                          : r.why_this_model;
+  return !is_closed_form(r.model) && !depends_on_both_rows(r.model) && plane && judged && r.model_enough
+             ? "the surfaces are flat"
+             : r.why_this_model;
 }
 
 /// "certified: yes, ..."

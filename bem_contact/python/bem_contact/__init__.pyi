@@ -11,7 +11,7 @@ __commit__: str
 _Value = float | int | bool | str | PathLike[str] | _List[float] | NDArray[Any] | np.generic
 _Changes = Mapping[str, _Value] | None
 _Scene = str | PathLike[str] | Mapping[str, Any]
-_Model = Literal["", "auto", "hertz", "halfspace", "tangent_plane", "fem"] | None
+_Model = str | None  # a name that `bem_contact solve --help` lists, or ""
 _Array = NDArray[np.float64]
 
 class Error(Exception): ...

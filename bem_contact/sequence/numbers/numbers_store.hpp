@@ -16,7 +16,7 @@ namespace bem_contact {
 
 /// Everything that the influence numbers of a pair depend on. If two of these are equal, so are the numbers.
 struct NumbersSource {
-  Model model = Model::halfspace;
+  Model model{};
   Body rail, wheel;
   int columns = 0, rows = 0;
   double dx = 0, ds = 0;               ///< mm; dx 0: plane strain

@@ -180,13 +180,6 @@ std::vector<double> radial_inclination(const ContactSetup& setup, const std::vec
   return inclination;
 }
 
-InfluenceNumbers pair_numbers(Model model, const ContactSetup& setup, const PairFiles& files,
-                              const ContactOnGrid& contact, NumbersParts* known, int threads) {
-  return model == Model::fem             ? fem_pair(setup, files, contact, known, threads)
-         : model == Model::tangent_plane ? tangent_plane_pair(setup, contact)
-                                         : halfspace_pair(setup, contact, known);
-}
-
 void require_strips(const PairFiles& files, double ds, const std::vector<double>& rail_s,
                     const std::vector<double>& wheel_s) {
   const double half = row_on_strip * ds;

@@ -22,11 +22,6 @@ struct PairFiles {
 /// Throws InputError for a file that cannot be used (influence_file.hpp).
 PairFiles read_pair_files(const Body& rail, const Body& wheel);
 
-/// The pair's influence numbers by a model other than Hertz's. `known`: of earlier cases; null:
-/// nothing. `threads` share those of files. Throws what the functions below throw.
-InfluenceNumbers pair_numbers(Model model, const ContactSetup& setup, const PairFiles& files,
-                              const ContactOnGrid& contact, NumbersParts* known = nullptr, int threads = 1);
-
 /// Half-space numbers of the pair on the grid of `contact`; on a curved strip those of the strip unrolled
 /// (distances along the arc), so that both models share geometry, gap and frames.
 InfluenceNumbers halfspace_pair(const ContactSetup& setup, const ContactOnGrid& contact,

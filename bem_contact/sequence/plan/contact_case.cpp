@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/requirements.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/plan/model_choice.hpp"
 #include "bem_contact/sequence/plan/plan_grid.hpp"
 #include "bem_contact/sequence/plan/settings.hpp"
@@ -38,8 +39,7 @@ void require_bodies(const PairFiles& files, const WheelOnRail& pair, bool own_sh
 /// Throws InputError where more elements are asked for than the model serves.
 void require_elements(const SceneFile& scene) {
   const std::optional<Model> model = scene.solver.model;
-  const bool by_distance = model == Model::halfspace || model == Model::hertz;
-  if (!by_distance && scene.grid.elements.value_or(0) > most_elements_full)
+  if (depends_on_both_rows(model) && scene.grid.elements.value_or(0) > most_elements_full)
     throw InputError(
         fmt::format("grid.elements = {} is too large for the model {}", *scene.grid.elements, name_of(model)),
         fmt::format("at most {} elements in contact are allowed, since its influence numbers {} on "
@@ -53,7 +53,7 @@ void require_elements(const SceneFile& scene) {
 bool foresees_fem(const ContactCase& asked) {
   const SceneFile& scene = asked.scene;
   return !scene.solver.model && asked.estimate && (scene.grid.elements || scene.grid.accuracy) &&
-         choose_model(traits_of(asked, *asked.estimate), request_of(asked)).model == Model::fem;
+         choose_model(traits_of(asked, *asked.estimate), request_of(asked)).model == model_of_files();
 }
 
 /// Files cannot leave these lists empty; a program can.
@@ -82,7 +82,7 @@ ContactCase prepare_case(const SceneFile& scene, SequenceFiles& files, PrepareOp
   if (!patch)
     out.estimate =
         std::make_shared<const ContactEstimate>(estimate_contact(out.setup, options.foresee_shear));
-  if (options.read_influence || scene.solver.model == Model::fem || foresees_fem(out))
+  if (options.read_influence || (scene.solver.model && has_files(*scene.solver.model)) || foresees_fem(out))
     return with_influence(std::move(out), files);
   return out;
 }

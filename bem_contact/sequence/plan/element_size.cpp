@@ -2,6 +2,7 @@
 
 #include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/sequence/asked_error.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/plan/model_errors.hpp"
 #include "bem_contact/sequence/plan/settings.hpp"
 
@@ -143,15 +144,15 @@ double shortest_element(const PairFiles& files) {
 void ElementSize::begin(const ContactCase& asked, bool alike) {
   const std::optional<Model> model = asked.scene.solver.model;
   // Which model is chosen automatically is not known yet: it may have numbers that depend on both rows.
-  const bool full = model != Model::halfspace && model != Model::hertz;
-  const bool by_bodies = model ? model == Model::fem : has_influence_files_of_both(asked);
+  const bool full = depends_on_both_rows(model);
+  const bool by_bodies = model ? has_files(*model) : has_influence_files_of_both(asked);
   const Request request{asked.scene.grid.elements.value_or(0), asked.scene.grid.accuracy.value_or(0)};
   if (!count_ || request != request_)
     count_.emplace(request.elements, request.accuracy, full ? most_elements_full : most_elements,
                    by_bodies ? fewest_with_bodies(request.accuracy) : fewest_elements);
   request_ = request;
   // Half-space numbers serve any element.
-  shortest_ = !model || model == Model::fem ? shortest_element(asked.files) : 0;
+  shortest_ = !model || has_files(*model) ? shortest_element(asked.files) : 0;
   longest_ = full ? longest_element_full : longest_element;
   if (!alike) {
     count_->forget();
@@ -177,7 +178,7 @@ int ElementSize::counted(const ContactCase& asked, const ContactGrid& grid, int 
 
 bool ElementSize::learn(const ContactCase& asked, const SceneResult& out) {
   const bool known = out.result.converged || out.result.ended_early;
-  return known && learn(asked, out.problem, out.result, out.model != Model::hertz);
+  return known && learn(asked, out.problem, out.result, !is_closed_form(out.model));
 }
 
 bool ElementSize::asks_for_more(const ContactCase& asked, const ContactProblem& problem,

@@ -1,5 +1,6 @@
 #include "bem_contact/sequence/plan/hertz_model.hpp"
 
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/geometry/undeformed_distance.hpp"
 
 #include <Eigen/QR>
@@ -241,6 +242,17 @@ ContactResult solve_hertz(const ContactProblem& problem, const HertzModel& model
   result.converged = result.certificate.holds();
   result.why_no_errors = "Hertz's closed form has no elements";
   return result;
+}
+
+ContactResult solve_hertz(const ContactSetup& setup, const ContactProblem& problem) {
+  const std::optional<HertzModel> model = hertz_of(setup, problem);
+  if (!model)
+    throw InputError(
+        "Hertz's closed form does not fit this contact",
+        "it is for a frictionless contact in three dimensions whose undeformed distance is curved "
+        "both ways and known all over the contact (on at least 5 x 5 elements)",
+        "Set motion.frictionless = true, give a larger grid, or choose another model.");
+  return solve_hertz(problem, *model);
 }
 
 } // namespace bem_contact

@@ -39,5 +39,7 @@ std::optional<HertzModel> hertz_of(const ContactSetup& setup, const ContactProbl
 /// Mean pressure of each element, totals of the closed form, displacements along n. Frictionless. The
 /// certificate holds the closed form against the quadrature of its own pressure.
 ContactResult solve_hertz(const ContactProblem& problem, const HertzModel& model);
+/// Does the same for a problem of this setup. Throws InputError where the contact is none of Hertz's.
+ContactResult solve_hertz(const ContactSetup& setup, const ContactProblem& problem);
 
 } // namespace bem_contact

@@ -1,8 +1,10 @@
 #include "bem_contact/sequence/plan/model_choice.hpp"
 
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/plan/hertz_model.hpp"
 #include "bem_contact/sequence/plan/settings.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <utility>
 
@@ -19,7 +21,8 @@ double largest(const ModelErrors& errors, const ModelRequest& request) {
 }
 
 /// "half-space theory is 0.2 % in pmax"
-std::string error_text(const char* model, const ModelErrors& errors, const std::vector<ModelErrorOf>& of) {
+std::string error_text(const std::string& model, const ModelErrors& errors,
+                       const std::vector<ModelErrorOf>& of) {
   const ModelErrorOf worst = errors.worst(of);
   return fmt::format("{} {:.1f} % in {}", model, 100 * errors.of(worst), name_of(worst));
 }
@@ -32,8 +35,7 @@ struct PredictedQuantities {
 PredictedQuantities split_by_what_files_add(const ContactTraits& traits, const ModelRequest& request) {
   ContactTraits with_bodies = traits;
   with_bodies.bodies = true;
-  const ModelErrors here = predicted_errors(Model::halfspace, traits),
-                    there = predicted_errors(Model::halfspace, with_bodies);
+  const ModelErrors here = halfspace_errors(traits), there = halfspace_errors(with_bodies);
   PredictedQuantities out;
   for (const ModelErrorOf what : request.of)
     (there.of(what) > here.of(what) ? out.unknown : out.known).push_back(what);
@@ -76,44 +78,71 @@ ModelRequest request_of(const ContactCase& asked) {
   return {solver.model_tolerance, solver.model_tolerance_of, has_influence_files_of_both(asked)};
 }
 
-ModelChoice choose_hertz(const HertzModel& model, const ContactTraits& traits, const ModelRequest& request) {
+ClosedFormFit fit_of_hertz(const HertzModel& model, const ContactTraits& traits) {
   ContactTraits known = traits;
   known.turn = model.turn;
-  ModelErrors errors = predicted_errors(Model::halfspace, known);
+  ModelErrors errors = halfspace_errors(known);
   errors.pmax += predicted_error(model);
   errors.forces += predicted_error(model);
-  return {
-      Model::hertz,
-      fmt::format("no friction, the undeformed distance is a quadratic within {:.1g} of the approach, {}{}",
-                  model.deviation, turn_text(model.turn),
-                  judged(error_text("Hertz's closed form is", errors, request.of),
-                         largest(errors, request) <= request.tolerance, request)),
-      largest(errors, request) <= request.tolerance};
+  return {errors,
+          fmt::format("no friction, the undeformed distance is a quadratic within {:.1g} of the approach, {}",
+                      model.deviation, turn_text(model.turn))};
+}
+
+std::optional<ClosedFormFit> fit_of_hertz(const ContactSetup& setup, const ContactProblem& problem,
+                                          const ContactTraits& traits) {
+  const std::optional<HertzModel> hertz = hertz_of(setup, problem);
+  return hertz ? std::optional(fit_of_hertz(*hertz, traits)) : std::nullopt;
+}
+
+ModelChoice choose_closed_form(Model model, const ClosedFormFit& fit, const ModelRequest& request) {
+  const bool within = largest(fit.errors, request) <= request.tolerance;
+  const std::string errors =
+      error_text(fmt::format("{} is", elasticity_model(model).in_words), fit.errors, request.of);
+  return {model, fit.why + judged(errors, within, request), within};
 }
 
 ModelChoice choose_model(const ContactTraits& traits, const ModelRequest& request) {
-  const ModelErrors halfspace = predicted_errors(Model::halfspace, traits),
-                    tangent_plane = predicted_errors(Model::tangent_plane, traits);
-  const double by_halfspace = largest(halfspace, request), by_planes = largest(tangent_plane, request);
+  struct Candidate {
+    const ElasticityModel* model;
+    ModelErrors errors;
+  };
+  std::vector<Candidate> candidates; // the cheapest first
+  for (const ElasticityModel& model : elasticity_models())
+    if (model.errors)
+      candidates.push_back({&model, model.errors(traits)});
   const std::string turn =
       traits.prescribed.structures ? "the structures' motion is included; " : turn_text(traits.turn);
   const PredictedQuantities predicted = split_by_what_files_add(traits, request);
-  const auto errors = [&](const std::vector<ModelErrorOf>& of, bool both) {
-    if (of.empty())
-      return std::string();
-    const std::string first = error_text("half-space theory is", halfspace, of);
-    return both ? first + ", of " + error_text("tangent planes", tangent_plane, of) : first;
+  const auto errors = [&](const std::vector<ModelErrorOf>& of, std::size_t models) {
+    std::string out;
+    for (std::size_t k = 0; k < models && !of.empty(); ++k)
+      out +=
+          (k > 0 ? ", of " : "") + error_text(candidates[k].model->in_words + std::string(k > 0 ? "" : " is"),
+                                              candidates[k].errors, of);
+    return out;
   };
-  for (const auto& [model, error] :
-       {std::pair{Model::halfspace, by_halfspace}, {Model::tangent_plane, by_planes}})
-    if (error <= request.tolerance)
-      return {model,
-              turn + enough_text(errors(predicted.known, model == Model::tangent_plane), request, predicted)};
-  const std::string reason = turn + judged(errors(request.of, true), false, request);
+  for (std::size_t k = 0; k < candidates.size(); ++k)
+    if (largest(candidates[k].errors, request) <= request.tolerance)
+      return {candidates[k].model->model,
+              turn + enough_text(errors(predicted.known, k + 1), request, predicted)};
+  const std::string reason = turn + judged(errors(request.of, candidates.size()), false, request);
   if (request.fem)
-    return {Model::fem, reason};
-  return {by_planes < by_halfspace ? Model::tangent_plane : Model::halfspace,
-          reason + ", but " + request.without_fem, false};
+    return {model_of_files(), reason};
+  const auto best = std::ranges::min_element(candidates, {},
+                                             [&](const Candidate& c) { return largest(c.errors, request); });
+  return {best->model->model, reason + ", but " + request.without_fem, false};
+}
+
+ModelChoice choose_model(const ContactSetup& setup, const ContactProblem& problem,
+                         const ContactTraits& traits, const ModelRequest& request) {
+  for (const ElasticityModel& model : elasticity_models())
+    if (const auto fit = model.fit ? model.fit(setup, problem, traits) : std::nullopt) {
+      ModelChoice choice = choose_closed_form(model.model, *fit, request);
+      if (choice.enough)
+        return choice;
+    }
+  return choose_model(traits, request);
 }
 
 } // namespace bem_contact

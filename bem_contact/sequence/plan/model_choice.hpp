@@ -2,6 +2,7 @@
 
 #include "bem_contact/sequence/plan/model_errors.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,19 @@ struct ModelChoice {
   bool enough = true; ///< false: fem would be needed, and it cannot be taken
 };
 
-/// hertz is offered where there is a model of it that serves. `traits`: for what half-space theory misses.
-ModelChoice choose_hertz(const HertzModel& model, const ContactTraits& traits, const ModelRequest& request);
+/// Chooses among the models with influence numbers.
 ModelChoice choose_model(const ContactTraits& traits, const ModelRequest& request);
+/// Chooses a closed form where one fits the problem and is within the tolerance, else another model.
+ModelChoice choose_model(const ContactSetup& setup, const ContactProblem& problem,
+                         const ContactTraits& traits, const ModelRequest& request);
+/// The choice of a closed form.
+ModelChoice choose_closed_form(Model model, const ClosedFormFit& fit, const ModelRequest& request);
+
+/// Tells how well Hertz's solution fits. `traits`: for what half-space theory misses.
+ClosedFormFit fit_of_hertz(const HertzModel& model, const ContactTraits& traits);
+/// Does the same for a problem of this setup. Returns nothing where the contact is none of Hertz's.
+std::optional<ClosedFormFit> fit_of_hertz(const ContactSetup& setup, const ContactProblem& problem,
+                                          const ContactTraits& traits);
 
 /// Predicted relative error of half-space theory in plane strain, and of stresses below a surface whose
 /// normal turns by `turn` rad: 0.66 (turn/2)^2 (halfspace_error).

@@ -97,13 +97,11 @@ double creepage_error(const ContactTraits& traits) {
                         : traits.approach / roller_creep_radius;
 }
 
-double pressure_error(Model model, const ContactTraits& traits) {
-  if (model == Model::tangent_plane && traits.one_circle)
-    return 0;
-  const bool halfspace = model == Model::halfspace;
+/// `line_error`, `turn_error`: of the model, in plane strain and else.
+double pressure_error(const ContactTraits& traits, double line_error, double turn_error) {
   if (traits.line)
-    return (halfspace ? halfspace_error : tangent_plane_error) * 0.25 * traits.turn * traits.turn;
-  return least_pressure_error + (halfspace ? halfspace_turn_error : tangent_plane_turn_error) * traits.turn +
+    return line_error * 0.25 * traits.turn * traits.turn;
+  return least_pressure_error + turn_error * traits.turn +
          (traits.unlike ? unlike_turn_error * traits.turn : 0);
 }
 
@@ -119,6 +117,24 @@ void add_creepage(const ContactTraits& traits, double xi, ModelErrors& out) {
     out.forces += traits.creep_stiffness * xi;
     out.friction_power += share * given_creep_power * xi / (traits.slip + xi);
   }
+}
+
+/// `pressure`: the model's own error.
+ModelErrors errors_with(double pressure, const ContactTraits& traits) {
+  if (traits.prescribed.structures)
+    return {1, 1, 1, 1};
+  const double shift_y = position_error(traits);
+  const double near = traits.edge > 0 ? traits.size / traits.edge : 0;
+  ModelErrors out;
+  out.pmax = pressure + traits.pressure_steepness * shift_y + edge_error * near * near;
+  out.forces = traits.force_steepness * shift_y;
+  if (traits.creep_stiffness > 0) {
+    out.friction_power = least_power_error + power_turn_error * traits.turn + out.forces;
+    out.forces += least_shear_error + shear_turn_error * traits.turn;
+  }
+  if (traits.bodies)
+    add_creepage(traits, creepage_error(traits), out);
+  return out;
 }
 
 } // namespace
@@ -196,23 +212,14 @@ ContactTraits traits_of(const ContactCase& asked, ContactTraits estimated, const
   return out;
 }
 
-ModelErrors predicted_errors(Model model, const ContactTraits& traits) {
-  if (model != Model::halfspace && model != Model::tangent_plane)
-    return {};
-  if (traits.prescribed.structures)
-    return {1, 1, 1, 1};
-  const double shift_y = position_error(traits);
-  const double near = traits.edge > 0 ? traits.size / traits.edge : 0;
-  ModelErrors out;
-  out.pmax = pressure_error(model, traits) + traits.pressure_steepness * shift_y + edge_error * near * near;
-  out.forces = traits.force_steepness * shift_y;
-  if (traits.creep_stiffness > 0) {
-    out.friction_power = least_power_error + power_turn_error * traits.turn + out.forces;
-    out.forces += least_shear_error + shear_turn_error * traits.turn;
-  }
-  if (traits.bodies)
-    add_creepage(traits, creepage_error(traits), out);
-  return out;
+ModelErrors halfspace_errors(const ContactTraits& traits) {
+  return errors_with(pressure_error(traits, halfspace_error, halfspace_turn_error), traits);
+}
+
+ModelErrors tangent_plane_errors(const ContactTraits& traits) {
+  const double pressure =
+      traits.one_circle ? 0 : pressure_error(traits, tangent_plane_error, tangent_plane_turn_error);
+  return errors_with(pressure, traits);
 }
 
 double turn_of_contact(const ContactProblem& problem, const ContactResult& result) {

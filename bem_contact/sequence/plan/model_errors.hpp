@@ -5,6 +5,7 @@
 #include "bem_contact/sequence/plan/contact_case.hpp"
 
 #include <span>
+#include <string>
 
 namespace bem_contact {
 
@@ -57,9 +58,16 @@ ContactTraits traits_of(const ContactCase& asked, const ContactEstimate& estimat
 ContactTraits traits_of(const ContactCase& asked, ContactTraits estimated, const ContactProblem& problem,
                         const ContactResult& result);
 
-/// Predicts the errors of halfspace and tangent_plane (0 of the others): bounds that held in 98 of 100 random
-/// scenes (tools/BENCHMARKS.md). They grow with the turn, the force and the steepness.
-ModelErrors predicted_errors(Model model, const ContactTraits& traits);
+/// Predict the errors of halfspace and tangent_plane: bounds that held in 98 of 100 random scenes
+/// (tools/BENCHMARKS.md). They grow with the turn, the force and the steepness.
+ModelErrors halfspace_errors(const ContactTraits& traits);
+ModelErrors tangent_plane_errors(const ContactTraits& traits);
+
+/// How well a closed form fits a contact.
+struct ClosedFormFit {
+  ModelErrors errors; ///< that are predicted of it
+  std::string why;    ///< what the prediction knows of the contact, in words
+};
 
 /// Largest turn of the normal within one connected run of rows in contact, rad.
 double turn_of_contact(const ContactProblem& problem, const ContactResult& result);

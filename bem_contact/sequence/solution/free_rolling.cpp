@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 
 namespace bem_contact {
@@ -88,7 +89,7 @@ SceneResult solve_with_free_rolling(const ContactCase& asked, const SceneFile::G
   SolveResources tools = resources;
   tools.free_rolling = true;
   SceneResult out = solve_case(asked, grid, tools);
-  if (out.free_rolling || out.model == Model::hertz || !out.result.converged || out.result.patches.empty())
+  if (out.free_rolling || is_closed_form(out.model) || !out.result.converged || out.result.patches.empty())
     return out;
   if (resources.early_end && resources.early_end->ends(out.problem, out.result)) // on smaller elements then
     return out;

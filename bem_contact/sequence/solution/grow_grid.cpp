@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/influence/requirements.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/plan/plan_grid.hpp"
 #include "bem_contact/sequence/solution/settings.hpp"
 #include "bem_contact/sequence/solution/structural_motion.hpp"
@@ -119,12 +120,13 @@ SecondArea second_area(const ContactCase& contact, const GridSolution& solved) {
   return out;
 }
 
-std::string left_out_warning(const TouchPoint& touch, double approach, bool rows_given) {
+std::string left_out_warning(const TouchPoint& touch, double approach, bool rows_given, Model model) {
   return fmt::format(
       "the bodies come nearer than the approach at s = {:.2f} mm too, by {:.4f} mm, {}: what may "
       "touch there is left out",
       touch.rail_s, approach - touch.distance,
-      rows_given ? "off the rows that the scene asks for" : "and Hertz's closed form is of one area");
+      rows_given ? "off the rows that the scene asks for"
+                 : fmt::format("and {} is of one area", elasticity_model(model).in_words));
 }
 
 std::string edge_warning(const Touched& touched) {
@@ -161,8 +163,8 @@ std::optional<GridPlan> plan_with_second_area(const ContactCase& contact, bool o
   const SceneFile::Grid& asked = contact.scene.grid;
   const bool rows_given = asked.ms || asked.rows;
   const double q = local_approach(contact, out);
-  if (rows_given || out.model == Model::hertz) {
-    out.warnings.push_back(left_out_warning(*second.touch, q, rows_given));
+  if (rows_given || is_closed_form(out.model)) {
+    out.warnings.push_back(left_out_warning(*second.touch, q, rows_given, out.model));
     return std::nullopt;
   }
   if (on_strips) {

@@ -6,8 +6,8 @@
 #include "bem_contact/scene/elastic_limit.hpp"
 #include "bem_contact/scene/outlines.hpp"
 #include "bem_contact/scene/warnings.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/patch_places.hpp"
-#include "bem_contact/sequence/plan/hertz_model.hpp"
 #include "bem_contact/sequence/plan/model_choice.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/solution/grow_grid.hpp"
@@ -49,7 +49,7 @@ void warn_of_discretisation(const ContactResult& result, std::vector<std::string
 void warn_of_slide(const ContactCase& asked, GridSolution& solved) {
   const double slide = unseen_slide(asked, solved), half_row = 0.5 * solved.contact.problem.grid.ds;
   const auto included = [](const Body& body) { return body.structural == StructuralCompliance::included; };
-  if (solved.model == Model::fem && (included(asked.setup.rail) || included(asked.setup.wheel)) &&
+  if (has_files(solved.model) && (included(asked.setup.rail) || included(asked.setup.wheel)) &&
       slide > half_row)
     solved.warnings.push_back(fmt::format(
         "the surfaces move past each other by up to {:.3f} mm along s, more than half a row ({:.3f} mm), and "
@@ -145,7 +145,7 @@ struct FirstContact {
 };
 FirstContact first_contact(const ContactCase& asked, Model model, const SceneFile::Grid& grid,
                            const SolveResources& resources) {
-  const bool on_strips = model == Model::fem;
+  const bool on_strips = has_files(model);
   ContactCase known = on_strips && resources.files ? with_influence(asked, *resources.files) : asked;
   const GridPlan plan = first_plan(known, grid, on_strips);
   ContactOnGrid contact = known.setup.on(fitted(known, plan, model, resources.start));
@@ -160,23 +160,14 @@ ContactTraits foreseen_traits(const ContactCase& asked, const ContactOnGrid& con
   const double compliance = contact_compliance(asked.setup.rail.material, asked.setup.wheel.material);
   if (const auto estimate = estimate_contact(contact.problem, compliance))
     return traits_of(asked, *estimate);
-  const GridSolution normal =
-      solve_on_growing_grid(asked, contact, {Model::halfspace, true}, resources, false);
+  const GridSolution normal = solve_on_growing_grid(asked, contact, {rough_model, true}, resources, false);
   return traits_of(asked, {}, normal.contact.problem, normal.result);
-}
-
-ModelChoice choose(const ContactCase& asked, const ContactOnGrid& contact, const ContactTraits& traits,
-                   const ModelRequest& request) {
-  if (const auto hertz = hertz_of(asked.setup, contact.problem))
-    if (ModelChoice choice = choose_hertz(*hertz, traits, request); choice.enough)
-      return choice;
-  return choose_model(traits, request);
 }
 
 /// What the solution itself says of the choice: a costlier model, or the same with what is known now.
 ModelChoice checked(const ContactCase& asked, ModelChoice taken, const ContactTraits& foreseen,
                     const ModelRequest& request, const GridSolution& solved) {
-  if (taken.model == Model::hertz || taken.model == Model::fem || !solved.result.converged ||
+  if (is_closed_form(taken.model) || has_files(taken.model) || !solved.result.converged ||
       solved.result.patches.empty())
     return taken;
   ModelChoice known =
@@ -191,7 +182,7 @@ bool ends_here(const SolveResources& resources, const GridSolution& solved) {
 
 std::optional<FreeCreepage> free_creepage_if_asked(PlacedSolution& placed, const SolveResources& resources) {
   const GridSolution& solved = placed.solved;
-  const bool asked = resources.free_rolling && solved.model != Model::hertz && solved.result.converged &&
+  const bool asked = resources.free_rolling && !is_closed_form(solved.model) && solved.result.converged &&
                      !solved.result.patches.empty() && placed.asked.setup.motion.force_x != 0.0;
   return asked && ends_here(resources, solved) ? free_creepage_of(placed.asked, placed.solved, resources)
                                                : std::nullopt;
@@ -238,15 +229,15 @@ PlacedSolution solve_with(const ContactCase& asked, Model model, const SceneFile
 SceneResult solve_by_choice(const ContactCase& asked, const SceneFile::Grid& grid,
                             const SolveResources& resources) {
   const Stopwatch looking;
-  const FirstContact first = first_contact(asked, Model::halfspace, grid, resources);
+  const FirstContact first = first_contact(asked, rough_model, grid, resources);
   const ContactTraits foreseen = foreseen_traits(asked, first.contact, resources);
   ModelRequest request = request_of(asked);
-  ModelChoice choice = choose(asked, first.contact, foreseen, request);
+  ModelChoice choice = choose_model(asked.setup, first.contact.problem, foreseen, request);
   PhaseSeconds spent{.geometry = looking.seconds()};
   for (;;) {
     std::optional<PlacedSolution> placed;
     try {
-      placed = choice.model == Model::fem
+      placed = has_files(choice.model)
                    ? solve_with(asked, choice.model, grid, resources)
                    : solve_on_placed_bodies(first.asked, grid, first.contact, {choice.model}, resources);
     } catch (const OffStripError&) {
@@ -286,10 +277,10 @@ SceneResult solve_case(const ContactCase& asked, const SceneFile::Grid& grid,
 ModelChoice foreseen_model(const ContactCase& asked, bool covered) {
   WorkBudget work;
   const SolveResources resources{.work = work};
-  const ContactOnGrid contact = first_contact(asked, Model::halfspace, asked.scene.grid, resources).contact;
+  const ContactOnGrid contact = first_contact(asked, rough_model, asked.scene.grid, resources).contact;
   const ModelRequest request = request_of(asked);
-  return choose(asked, contact, foreseen_traits(asked, contact, resources),
-                covered ? request : without_fem(request));
+  return choose_model(asked.setup, contact.problem, foreseen_traits(asked, contact, resources),
+                      covered ? request : without_fem(request));
 }
 
 } // namespace bem_contact

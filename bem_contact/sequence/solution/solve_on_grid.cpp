@@ -4,7 +4,7 @@
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/contact/solve.hpp"
-#include "bem_contact/sequence/plan/hertz_model.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/solution/second_solution.hpp"
 #include "bem_contact/sequence/solution/structural_motion.hpp"
 
@@ -32,7 +32,7 @@ constexpr int many_steps = 1000;
 /// spectra, fields.
 void require_memory(Model model, const ContactProblem& problem) {
   const ContactGrid& grid = problem.grid;
-  const bool by_distance = model == Model::halfspace; // numbers depend on the distance of two rows alone
+  const bool by_distance = !depends_on_both_rows(model);
   InfluenceNumbers table;
   table.offsets = problem.plane_strain() ? 1 : grid.mx + 2;
   table.rows = grid.ms;
@@ -68,7 +68,7 @@ NumbersSource source_of(Model model, const ContactSetup& setup, const ContactOnG
                        grid.ds,     setup.reference_distance(),
                        {},          {},
                        0,           {}};
-  if (model == Model::fem) {
+  if (has_files(model)) {
     source.rail_s = contact.rail_s;
     source.wheel_s = contact.wheel_s;
     source.contact_radius = contact.contact_radius;
@@ -77,20 +77,9 @@ NumbersSource source_of(Model model, const ContactSetup& setup, const ContactOnG
   return source;
 }
 
-/// Tangent-plane numbers depend on where all rows lie: no other case has the same.
+/// No other case has the same numbers where they turn with the rows.
 NumbersStore* store_for(Model model, NumbersStore* store) {
-  return model == Model::tangent_plane ? nullptr : store;
-}
-
-void solve_by_hertz(const ContactSetup& setup, GridSolution& out) {
-  const std::optional<HertzModel> model = hertz_of(setup, out.contact.problem);
-  if (!model)
-    throw InputError(
-        "Hertz's closed form does not fit this contact",
-        "it is for a frictionless contact in three dimensions whose undeformed distance is curved "
-        "both ways and known all over the contact (on at least 5 x 5 elements)",
-        "Set motion.frictionless = true, give a larger grid, or choose another model.");
-  out.result = solve_hertz(out.contact.problem, *model);
+  return turns_with_rows(model) ? nullptr : store;
 }
 
 bool gives_way(const ContactSetup& setup) {
@@ -211,8 +200,8 @@ GridSolution solve_on_grid(const ContactCase& asked, ContactOnGrid contact, cons
   GridSolution out;
   out.model = task.model;
   out.contact = std::move(contact);
-  if (task.model == Model::hertz)
-    solve_by_hertz(asked.setup, out);
+  if (const auto closed_form = elasticity_model(task.model).solve)
+    out.result = closed_form(asked.setup, out.contact.problem);
   else
     solve_by_numbers(asked, task, resources, out);
   return out;

@@ -43,14 +43,14 @@ struct SolveResources {
 
 /// Says with which numbers, and how much of, the problem is solved.
 struct SolveTask {
-  Model model = Model::halfspace;
+  Model model{};
   bool normal_only = false; ///< a look at the normal problem, for the choice of the model: no steps, no error
                             ///< of the elements, no displacements
 };
 
 /// A case solved on the elements of one plan.
 struct GridSolution {
-  Model model = Model::halfspace;
+  Model model{};
   ContactOnGrid contact;              ///< with what the last step prescribes
   InfluenceNumbers numbers;           ///< of tangent planes: no store keeps them
   ContactResult result;               ///< of the last step

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/solution/grow_grid.hpp"
 
 #include <algorithm>
@@ -45,7 +46,7 @@ SixBySix turned(const SixBySix& matrix, double angle) {
 /// gives. Nothing where there is none, or where the files do not hold it.
 std::optional<StructuralResult> structures_of(const ContactCase& asked, Model model) {
   const WheelRailGeometry* placed = asked.setup.wheel_rail();
-  if (!placed || model != Model::fem)
+  if (!placed || !has_files(model))
     return std::nullopt;
   const Point2 point = placed->reference.position;
   const auto one = [&](const Body& body, const InfluenceStrip& f,
@@ -182,7 +183,7 @@ bool can_be_placed(const SceneFile& scene) {
 void solve_where_placed(ContactCase placed, const SceneFile::Grid& grid, const SolveTask& task,
                         const SolveResources& resources, PlacedSolution& out) {
   const Stopwatch geometry;
-  const bool on_strips = task.model == Model::fem;
+  const bool on_strips = has_files(task.model);
   ContactOnGrid contact = placed.setup.on(first_plan(placed, grid, on_strips));
   PhaseSeconds spent = out.solved.seconds;
   spent.geometry += geometry.seconds();
@@ -206,10 +207,10 @@ std::string body_datum(const Body& body, const InfluenceStrip& f) {
 PlacedSolution solve_on_placed_bodies(const ContactCase& asked, const SceneFile::Grid& grid,
                                       ContactOnGrid first, const SolveTask& task,
                                       const SolveResources& resources) {
-  const bool on_strips = task.model == Model::fem;
+  const bool on_strips = has_files(task.model);
   PlacedSolution out{asked, solve_on_growing_grid(asked, std::move(first), task, resources, on_strips),
                      structures_of(asked, task.model)};
-  const bool by_contact = is_placed_by_contact(asked.scene) && task.model != Model::hertz;
+  const bool by_contact = is_placed_by_contact(asked.scene) && !is_closed_form(task.model);
   if (by_contact && !out.structure)
     out.structure.emplace();
   if (!out.structure)
@@ -281,7 +282,7 @@ double unseen_slide(const ContactCase& asked, const GridSolution& solved) {
 }
 
 std::string approach_datum(const ContactCase& asked, Model model) {
-  if (model == Model::fem) {
+  if (has_files(model)) {
     const std::string rail = body_datum(asked.setup.rail, asked.files.rail->strip()),
                       wheel = body_datum(asked.setup.wheel, asked.files.wheel->strip());
     return rail == wheel ? fmt::format("both bodies: {}", rail)

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/solve.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/plan/plan_grid.hpp"
 #include "bem_contact/sequence/plan/settings.hpp"
 #include "bem_contact/sequence/solution/settings.hpp"
@@ -105,11 +106,6 @@ bool is_open(const ContactCase& asked) {
   return asked.estimate && !grid.rows && !grid.ms && !grid.mx;
 }
 
-/// Whether influence numbers depend on both rows.
-bool depends_on_both_rows(Model model) {
-  return model == Model::fem || model == Model::tangent_plane;
-}
-
 /// Larger where a contact is expected beyond the plan; as far as the strips reach. `former`: the elements by
 /// whose middles it is expected.
 GridPlan widened(const ContactCase& asked, GridPlan plan, Model model, const PotentialArea& expected,
@@ -118,7 +114,7 @@ GridPlan widened(const ContactCase& asked, GridPlan plan, Model model, const Pot
   const double half_x = 0.5 * former.dx, half_s = 0.5 * former.ds;
   cover(plan,
         {expected.s_from - half_s, expected.s_to + half_s, expected.x_from - half_x, expected.x_to + half_x});
-  return model == Model::fem && plan.rows > rows ? within_strips(asked, plan) : plan;
+  return has_files(model) && plan.rows > rows ? within_strips(asked, plan) : plan;
 }
 
 } // namespace

@@ -16,7 +16,7 @@ struct FormerSolution {
   double approach = 0;              ///< mm
   std::vector<PotentialArea> areas; ///< where the bodies might touch, along s
   std::vector<double> px, ps, pn;   ///< MPa; fields
-  Model model = Model::halfspace;
+  Model model{};
 };
 
 /// Returns nothing if no case can start from the result: it is neither certified nor ended early, or has no

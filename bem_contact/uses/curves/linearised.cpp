@@ -1,6 +1,7 @@
 #include "bem_contact/uses/curves/linearised.hpp"
 
 #include "bem_contact/contact/shear_sensitivity.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/plan/contact_case.hpp"
 
 #include <cmath>
@@ -63,7 +64,7 @@ CreepForceValues forces_of(const SceneResult& r, const ShearChange& change) {
 
 std::optional<CreepMatrix> linearised_sensitivities(const SceneFile& scene, const SceneResult& result,
                                                     const Creepages& steps, SequenceFiles& files) {
-  if (result.model == Model::hertz || result.structure || !result.problem.is_coulomb())
+  if (is_closed_form(result.model) || result.structure || !result.problem.is_coulomb())
     return std::nullopt;
   const GridPlan plan = plan_of(result);
   const ContactCase asked = prepare_case(scene, files);

@@ -11,7 +11,14 @@ namespace bem_contact {
 namespace {
 
 constexpr const char* model_column = "model";
-constexpr const char* of_model = "0 hertz, 1 halfspace, 2 tangent_plane, 3 fem; CSV: its name";
+
+/// "0 hertz, 1 halfspace ...; CSV: its name"
+std::string model_numbers() {
+  std::string out;
+  for (std::size_t k = 0; k < model_words.size(); ++k)
+    out += fmt::format("{}{} {}", k > 0 ? ", " : "", k, model_words[k].name);
+  return out + "; CSV: its name";
+}
 
 /// Of a table of sequence/quantities.hpp.
 template <class Table> std::vector<SweepColumn> columns_of_table(const Table& table) {
@@ -24,20 +31,20 @@ template <class Table> std::vector<SweepColumn> columns_of_table(const Table& ta
 
 std::vector<SweepColumn> columns_of_contacts() {
   std::vector<SweepColumn> all = columns_of_table(quantities());
-  all.push_back({model_column, "1", of_model});
+  all.push_back({model_column, "1", model_numbers()});
   return all;
 }
 
 std::vector<SweepColumn> columns_of_wheelsets() {
   std::vector<SweepColumn> all = columns_of_table(wheelset_quantities());
   for (const WheelSide side : both_sides) {
-    const auto add = [&](const char* name, const std::string& unit, const char* description) {
+    const auto add = [&](const char* name, const std::string& unit, const std::string& description) {
       all.push_back({fmt::format("{}_{}", name_of(side), name), unit,
                      fmt::format("{} wheel: {}", name_of(side), description)});
     };
     for (const WheelQuantity& q : wheel_quantities())
       add(q.name, q.unit.rolling, q.meaning);
-    add(model_column, "1", of_model);
+    add(model_column, "1", model_numbers());
   }
   all.push_back({"warning_count", "1", "warnings of both wheels"});
   return all;

@@ -25,7 +25,7 @@ struct SweepColumns {
 };
 /// Reads the scene of the first case, so ask once.
 const SweepColumns& columns_of(const SweepFile& sweep);
-/// Says whether a column holds a model: 0 hertz, 1 halfspace, 2 tangent_plane, 3 fem.
+/// Says whether a column holds a model, as its number.
 bool is_model(const SweepColumn& column);
 
 /// The numbers of a result, in the order of SweepColumns::cases.

@@ -4,6 +4,7 @@
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <cmath>
@@ -147,7 +148,7 @@ WornPair wear_step(const WornPair& now, const std::vector<CollectiveCase>& cases
 
 bool needs_influence(const SceneFile& scene) {
   const bool files = !scene.rail.influence.empty() && !scene.wheel.influence.empty();
-  return scene.solver.model == Model::fem || (!scene.solver.model && files);
+  return scene.solver.model ? has_files(*scene.solver.model) : files;
 }
 
 std::optional<WearMap> wear_map_of(const SceneFile& scene) {

@@ -1,6 +1,7 @@
 #include "bem_contact/uses/wheelset/equilibrium_finder.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/uses/wheelset/settings.hpp"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ bool half_spaces_are_near(const SceneFile& scene) {
   const bool files = !scene.rail.influence.empty() || !scene.wheel.influence.empty() ||
                      !scene.wheelset.left_rail_influence.empty() ||
                      !scene.wheelset.left_wheel_influence.empty();
-  return scene.solver.model == Model::tangent_plane || (!scene.solver.model && !files);
+  return scene.solver.model ? turns_with_rows(*scene.solver.model) : !files;
 }
 
 /// `a` with `factor` times `b` added to its height, roll and rolling radius.
@@ -61,7 +62,7 @@ WheelsetPose moved(WheelsetPose a, double factor, const WheelsetPose& b) {
 } // namespace
 
 SceneFile with_half_spaces(const SceneFile& scene) {
-  SceneFile out = with_model(scene, Model::halfspace);
+  SceneFile out = with_model(scene, rough_model);
   out.stresses.depths.clear();
   return out;
 }
