@@ -6,8 +6,12 @@
 
 namespace bem_contact {
 
+double exponential_fall(double v) {
+  return std::exp(-v);
+}
+
 double FallingFriction::factor(double slip_velocity) const {
-  return ratio == 1 ? 1 : ratio + (1 - ratio) * std::exp(-slip_velocity / scale);
+  return ratio == 1 ? 1 : ratio + (1 - ratio) * fall(slip_velocity / scale);
 }
 
 FallingFriction exponential_friction(double mu_kin, double mu_1, double half) {

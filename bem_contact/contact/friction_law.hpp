@@ -4,11 +4,15 @@
 
 namespace bem_contact {
 
-/// Coulomb's coefficient falls with the slip velocity w: mu(w) = mu(0) [ratio + (1 - ratio) exp(-w / scale)].
+/// exp(-v)
+double exponential_fall(double v);
+
+/// Coulomb's coefficient falls with the slip velocity w: mu(w) = mu(0) [ratio + (1 - ratio) fall(w / scale)].
 /// theory/contact.md, section 4.
 struct FallingFriction {
   double ratio = 1; ///< mu at high slip velocity over mu(0), in (0, 1]; 1: it does not fall
-  double scale = 1; ///< slip velocity over which the difference falls to 1/e, mm/s
+  double scale = 1; ///< slip velocity, mm/s; by an exponential the difference falls over it to 1/e
+  double (*fall)(double) = exponential_fall; ///< from 1 at 0 down towards 0
 
   double factor(double slip_velocity) const; ///< mu(w) / mu(0); mm/s
 };

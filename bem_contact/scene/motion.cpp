@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/csv_table.hpp"
+#include "bem_contact/scene/friction_laws.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -46,12 +47,16 @@ Motion::Friction friction_at(const std::vector<Motion::Friction>& table, double 
   return {s, between(&Friction::mu), between(&Friction::falling), between(&Friction::half)};
 }
 
+[[noreturn]] void refuse_coefficient(double coefficient, double adhesion, const char* key) {
+  throw InputError(fmt::format("{} cannot be {:g}", key, coefficient),
+                   fmt::format("friction in adhesion is at most {:g} on these rows", adhesion),
+                   "Give a smaller coefficient.");
+}
+
 /// A coefficient over that of adhesion. `key` gave it.
 double ratio_of(double coefficient, double adhesion, const char* key) {
   if (coefficient > adhesion)
-    throw InputError(fmt::format("{} cannot be {:g}", key, coefficient),
-                     fmt::format("friction in adhesion is at most {:g} on these rows", adhesion),
-                     "Give a smaller coefficient.");
+    refuse_coefficient(coefficient, adhesion, key);
   return coefficient / adhesion;
 }
 
@@ -63,11 +68,12 @@ std::vector<FallingFriction> laws_of(const Motion& motion, const ContactProblem&
       const Motion::Friction at = friction_at(motion.friction_table, row.s);
       laws.push_back(exponential_friction(at.falling, at.mu - at.falling, at.half));
     }
-  } else if (c.falling_friction) {
-    const double ratio = ratio_of(*c.falling_friction, problem.largest_friction(), "motion.falling_friction");
-    laws.push_back(exponential_friction(ratio, 1 - ratio, c.half_slip_velocity.value_or(0)));
-  } else if (c.polach_a && c.polach_b)
-    laws.push_back(polach_friction(*c.polach_a, *c.polach_b));
+  } else if (const AskedLaw* asked = asked_law(c)) {
+    const double adhesion = problem.largest_friction();
+    laws.push_back(asked->law(c, adhesion));
+    if (laws.back().ratio > 1)
+      refuse_coefficient(*(c.*asked->numbers[0].member), adhesion, asked->numbers[0].key);
+  }
   return laws;
 }
 
@@ -169,11 +175,11 @@ Motion read_motion(const SceneFile& scene) {
     motion.friction_table = read_friction(scene.folder / scene.motion.friction_table);
   motion.speed = scene.motion.speed.value_or(0);
   const bool by_row = !motion.friction_table.empty() && motion.friction_table.front().half > 0;
-  if (by_row && (scene.motion.falling_friction || scene.motion.polach_a))
-    throw InputError("There are two laws of falling friction",
-                     fmt::format("motion.friction_table has one for each row, and motion.{} is given",
-                                 scene.motion.falling_friction ? "falling_friction" : "polach_a"),
-                     "Leave out one of the two.");
+  if (const AskedLaw* asked = asked_law(scene.motion); by_row && asked)
+    throw InputError(
+        "There are two laws of falling friction",
+        fmt::format("motion.friction_table has one for each row, and {} is given", asked->numbers[0].key),
+        "Leave out one of the two.");
   motion.temperature = scene.temperature;
   motion.force_x = scene.load.force_x;
   motion.force_s = scene.load.force_s;

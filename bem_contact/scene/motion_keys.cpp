@@ -1,5 +1,7 @@
 #include "bem_contact/scene/scene_keys.hpp"
 
+#include "bem_contact/scene/friction_laws.hpp"
+
 #include <string>
 #include <utility>
 
@@ -14,20 +16,9 @@ void add_friction(SchemaTable& t, SceneFile::Motion& m) {
         "largest, and in proportion elsewhere. The result depends on the size of the elements: friction "
         "that falls with the slip velocity (falling_friction) does so less",
         {.at_least = 0, .zero_is_none = true});
-  t.add("falling_friction", m.falling_friction,
-        "Coefficient that friction falls to at high slip velocity w: mu = falling_friction + (friction - "
-        "falling_friction) 2^(-w / half_slip_velocity); 0: it does not fall. With friction_table: of the "
-        "largest, and in proportion elsewhere. Needs speed",
-        {.at_least = 0, .zero_is_none = true});
-  t.add("half_slip_velocity", m.half_slip_velocity,
-        "Slip velocity at which half of the difference is left (1 m/s is 1000 mm/s)",
-        {.unit = "mm/s", .at_least = 0, .zero_is_none = true});
-  t.add("polach_a", m.polach_a,
-        "Instead, Polach's A: friction at high slip velocity over friction; mu = friction [(1 - A) "
-        "exp(-B w) + A]; 0: it does not fall. Dry and clean: 0.40, wet: 0.40. Needs speed",
-        {.at_least = 0, .at_most = 1, .zero_is_none = true});
-  t.add("polach_b", m.polach_b, "Polach's B. Dry and clean: 0.60, wet: 0.20",
-        {.unit = "s/m", .at_least = 0, .zero_is_none = true});
+  for (const AskedLaw& law : friction_laws())
+    for (const AskedLaw::Number& number : law.numbers)
+      t.add(number.name(), m.*number.member, number.help, number.rule);
   t.add("friction_table", m.friction_table,
         "CSV file with columns s, mu (linear in between) instead of friction; s as in the result. With two "
         "columns more, falling_friction and half_slip_velocity, each row has its own law");

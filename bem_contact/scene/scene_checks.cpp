@@ -1,5 +1,7 @@
 #include "bem_contact/scene/scene_keys.hpp"
 
+#include "bem_contact/scene/friction_laws.hpp"
+
 #include <fmt/format.h>
 #include <tuple>
 #include <utility>
@@ -183,26 +185,24 @@ void check_wheel_rail(const SceneFile& f, const Schema& s) {
 }
 
 void check_falling(const SceneFile::Motion& m, const Schema& s) {
-  if (m.falling_friction && m.polach_a)
-    s.refuse("motion.polach_a", "motion.falling_friction is given too", "Give one law of friction.");
-  if (m.falling_friction && !m.half_slip_velocity)
-    s.refuse("motion.falling_friction", "motion.half_slip_velocity is not given",
-             "Give the slip velocity at which half of the difference is left, in mm/s.");
-  if (m.polach_a.has_value() != m.polach_b.has_value())
-    s.refuse(m.polach_a ? "motion.polach_a" : "motion.polach_b", "Polach's law has both A and B",
-             "Give motion.polach_a and motion.polach_b.");
-  if (m.kinetic_friction && (m.falling_friction || m.polach_a))
+  const AskedLaw* asked = asked_law(m);
+  if (!asked)
+    return;
+  const char* key = asked->numbers[0].key;
+  for (const AskedLaw& other : friction_laws())
+    if (&other != asked && m.*other.numbers[0].member)
+      s.refuse(other.numbers[0].key, fmt::format("{} is given too", key), "Give one law of friction.");
+  if (!(m.*asked->numbers[1].member))
+    s.refuse(key, asked->why_both, asked->give_both);
+  if (m.kinetic_friction)
     s.refuse("motion.kinetic_friction", "friction falls with the slip velocity too",
              "Give one law of friction.");
-  if (!m.falling_friction && !m.polach_a)
-    return;
-  const char* key = m.falling_friction ? "motion.falling_friction" : "motion.polach_a";
   if (m.kind == MotionKind::shift)
     s.refuse(key, "a shift has no slip velocity", "Choose rolling, or give motion.kinetic_friction.");
   if (!m.speed)
     s.refuse(key, "the slip velocity is the slip times motion.speed, which is not given",
              "Give motion.speed in mm/s.");
-  if (m.friction_table.empty() && m.falling_friction.value_or(0) > m.friction)
+  if (m.friction_table.empty() && asked->law(m, m.friction).ratio > 1)
     s.refuse(key, fmt::format("friction in adhesion is only {}", m.friction), "Give a smaller coefficient.");
 }
 

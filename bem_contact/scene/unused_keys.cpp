@@ -1,6 +1,7 @@
 #include "bem_contact/scene/scene_keys.hpp"
 
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "bem_contact/scene/friction_laws.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,37 +14,19 @@ namespace {
 struct Cause {
   std::vector<const char*> keys;
   bool holds;
-  const char* why;
+  std::string why;
 };
 
 std::vector<Cause> causes_of_motion(const SceneFile& f) {
   const SceneFile::Motion& m = f.motion;
   const bool rates = m.pitch_rate || m.lateral_velocity != 0 || m.vertical_velocity != 0 ||
                      m.roll_rate != 0 || m.yaw_rate != 0;
-  const bool falls = m.falling_friction || m.polach_a || !m.friction_table.empty();
-  return {
-      {{"motion.friction",
-        "motion.kinetic_friction",
-        "motion.friction_table",
-        "motion.xi",
-        "motion.eta",
-        "motion.phi",
-        "motion.slip_table",
-        "motion.rolling_radius",
-        "motion.speed",
-        "motion.pitch_rate",
-        "motion.lateral_velocity",
-        "motion.vertical_velocity",
-        "motion.roll_rate",
-        "motion.yaw_rate",
-        "motion.from_free_rolling",
-        "motion.free_rolling",
-        "motion.radial_displacement",
-        "motion.falling_friction",
-        "motion.half_slip_velocity",
-        "motion.polach_a",
-        "motion.polach_b",
-        "temperature.flash"},
+  const bool falls = asked_law(m) || !m.friction_table.empty();
+  std::vector<Cause> causes{
+      {{"motion.friction", "motion.kinetic_friction", "motion.friction_table", "motion.xi", "motion.eta",
+        "motion.phi", "motion.slip_table", "motion.rolling_radius", "motion.speed", "motion.pitch_rate",
+        "motion.lateral_velocity", "motion.vertical_velocity", "motion.roll_rate", "motion.yaw_rate",
+        "motion.from_free_rolling", "motion.free_rolling", "motion.radial_displacement", "temperature.flash"},
        m.frictionless,
        "motion.frictionless = true leaves the normal problem alone"},
       {{"motion.kind"},
@@ -59,7 +42,6 @@ std::vector<Cause> causes_of_motion(const SceneFile& f) {
        !m.frictionless && m.kind != MotionKind::shift && !rates && !falls && !f.temperature.flash,
        "neither motion.pitch_rate nor a velocity is given beside it, and neither friction that falls with "
        "the slip velocity nor a temperature is asked for"},
-      {{"motion.half_slip_velocity"}, !m.falling_friction, "motion.falling_friction is not given"},
       {{"temperature.rail", "temperature.wheel", "temperature.rail_conductivity",
         "temperature.wheel_conductivity", "temperature.rail_heat_capacity", "temperature.wheel_heat_capacity",
         "temperature.rail_density", "temperature.wheel_density", "temperature.rail_share"},
@@ -69,6 +51,13 @@ std::vector<Cause> causes_of_motion(const SceneFile& f) {
        !f.temperature.hot_friction,
        "temperature.hot_friction is not given"},
   };
+  for (const AskedLaw& law : friction_laws()) {
+    const auto& [first, other] = law.numbers;
+    for (const AskedLaw::Number& number : law.numbers)
+      causes.front().keys.push_back(number.key);
+    causes.push_back({{other.key}, !(m.*first.member), fmt::format("{} is not given", first.key)});
+  }
+  return causes;
 }
 
 std::vector<Cause> causes_of_bodies(const SceneFile& f) {

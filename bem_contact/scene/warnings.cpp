@@ -2,6 +2,7 @@
 
 #include "bem_contact/profile/wheel_datum.hpp"
 #include "bem_contact/profile/worn/like_standard.hpp"
+#include "bem_contact/scene/friction_laws.hpp"
 #include "bem_contact/scene/settings.hpp"
 
 #include <cmath>
@@ -157,7 +158,7 @@ std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSet
                     scene.motion.friction, highest_friction));
   const Motion& motion = setup.motion;
   const FrictionCoefficients& c = motion.coefficients;
-  const bool speed_counts = c.falling_friction || c.polach_a || motion.temperature.flash;
+  const bool speed_counts = asked_law(c) || motion.temperature.flash;
   if (motion.tangential && speed_counts && motion.speed < least_speed)
     out.push_back(
         fmt::format("motion.speed = {:g} mm/s is below walking pace: give it in mm/s", motion.speed));

@@ -1,4 +1,5 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/scene/friction_laws.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "tests/base/message.hpp"
@@ -39,6 +40,24 @@ TEST(FrictionKeys, BothLawsArrive) {
   const ContactProblem p =
       patch_on_grid(patch("polach_a = 0.4\npolach_b = 0.6\nspeed = 2e4\nxi = 1e-3")).problem;
   EXPECT_DOUBLE_EQ(p.falling_factor(0, 1000), 0.6 * std::exp(-0.6) + 0.4);
+}
+
+/// The second key of a law stays where a sweep gives the first one the value 0. Every law is said by both.
+TEST(FrictionKeys, EachLawIsSaidByItsFirstKey) {
+  for (const AskedLaw& law : friction_laws()) {
+    const auto& [first, other] = law.numbers;
+    const auto given = [&](const char* value) {
+      return fmt::format("{} = {}\n{} = 0.5\nspeed = 1e4\nxi = 1e-3", first.name(), value, other.name());
+    };
+    EXPECT_THAT(refusal(fmt::format("{} = 0.2\nspeed = 1e4", first.name())), HasSubstr(law.give_both));
+    EXPECT_THAT(patch(given("0")).unused, Contains(HasSubstr(other.key)));
+    const SceneFile scene = patch(given("0.2"));
+    EXPECT_EQ(asked_law(scene.motion), &law);
+    EXPECT_THAT(scene.unused, IsEmpty());
+    const ContactProblem problem = patch_on_grid(scene).problem;
+    EXPECT_EQ(problem.falling_factor(0, 0), 1) << first.key;
+    EXPECT_LT(problem.falling_factor(0, 1e6), 0.9) << first.key;
+  }
 }
 
 TEST(FrictionKeys, ATableHasALawForEachRow) {
@@ -85,6 +104,7 @@ TEST(FrictionKeys, WhatIsMissingOrTwiceIsRefused) {
   EXPECT_THAT(refusal("speed = 1e4", flash + "temperature.hot_friction = 0.5\ntemperature.falls_to = 300"),
               HasSubstr("friction is only 0.3"));
   EXPECT_THAT(patch("half_slip_velocity = 9\nxi = 1e-3").unused, Contains(HasSubstr("half_slip_velocity")));
+  EXPECT_THAT(patch("polach_b = 0.6\nxi = 1e-3").unused, Contains(HasSubstr("polach_a is not given")));
   EXPECT_THAT(patch("xi = 1e-3", "temperature.rail_density = 7000").unused,
               Contains(HasSubstr("rail_density")));
   EXPECT_THAT(patch("xi = 1e-3\nspeed = 1e4", flash).unused, IsEmpty());

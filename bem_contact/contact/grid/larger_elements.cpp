@@ -215,7 +215,7 @@ std::vector<FallingFriction> LargerElements::of_rows(const std::vector<FallingFr
                             scales = mean_of(&FallingFriction::scale);
   std::vector<FallingFriction> out;
   for (std::size_t row = 0; row < ratios.size(); ++row)
-    out.push_back({ratios[row], scales[row]});
+    out.push_back({ratios[row], scales[row], laws.front().fall});
   return out;
 }
 
