@@ -35,7 +35,7 @@ void refuse_odd_numbers(CLI::App& line);
 /// Prints each on the error output.
 void warn(const std::vector<std::string>& warnings);
 
-// The commands of the program, as run_program() lists them.
+// The commands of the program. Each function adds the options and the help of one.
 Command add_solve(CLI::App& program);        ///< one scene with one model
 Command add_compare(CLI::App& program);      ///< half-space and finite elements at the same forces
 Command add_check(CLI::App& program);        ///< what would be solved
@@ -50,5 +50,10 @@ Command add_wear(CLI::App& program);         ///< profiles wear under a load col
 Command add_fatigue(CLI::App& program);      ///< shakedown, damage and stresses of each case of a sweep
 Command add_wheelset(CLI::App& program);     ///< both wheels under the forces on their axle
 Command add_report(CLI::App& program);       ///< a result file as one HTML page
+
+/// All of them, in the order of the program's help.
+inline constexpr Command (*all_commands[])(CLI::App& program) = {
+    add_solve,    add_compare,      add_check, add_info, add_influence, add_profile,  add_sweep,
+    add_conicity, add_creep_curves, add_table, add_wear, add_fatigue,   add_wheelset, add_report};
 
 } // namespace bem_contact::app

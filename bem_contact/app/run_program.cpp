@@ -39,26 +39,26 @@ Each command has its own --help with an example.)";
 
 /// Comes before the options are parsed, because options of an unknown command are no errors of their own.
 void refuse_unknown_command(const CLI::App& cli, const std::string& word) {
-  std::vector<std::string> commands;
+  std::vector<std::string> names;
   for (const CLI::App* command : cli.get_subcommands(nullptr))
-    commands.push_back(command->get_name());
-  if (word.empty() || word.front() == '-' || std::ranges::count(commands, word) > 0)
+    names.push_back(command->get_name());
+  if (word.empty() || word.front() == '-' || std::ranges::count(names, word) > 0)
     return;
-  const auto like = nearest_names(word, commands, 1);
+  const auto like = nearest_names(word, names, 1);
   throw InputError(fmt::format("There is no command '{}'", word),
-                   fmt::format("the commands are {}", fmt::join(commands, ", ")),
+                   fmt::format("the commands are {}", fmt::join(names, ", ")),
                    file_exists(word) ? fmt::format("Did you mean bem_contact solve {}?", word)
                    : like.empty()    ? "See bem_contact --help."
                                      : fmt::format("Did you mean {}?", like.front()));
 }
 
 /// The command that the line asks for, or --print-default, or the help.
-ExitCode run(const CLI::App& cli, const std::vector<Command>& commands, bool print_default) {
+ExitCode run(const CLI::App& cli, const std::vector<Command>& added, bool print_default) {
   if (print_default) {
     fmt::print("{}", default_scene_file());
     return success;
   }
-  for (const Command& command : commands)
+  for (const Command& command : added)
     if (command.line->parsed())
       return command.run();
   fmt::print(stderr, "{}", cli.help());
@@ -73,15 +73,14 @@ int parse_and_run(int argc, char** argv) {
   cli.add_flag("--print-default", print_default,
                "Print a scene file with every key, its default and its unit");
   cli.footer(program_help);
-  const std::vector<Command> commands{
-      add_solve(cli),   add_compare(cli), add_check(cli),    add_info(cli),         add_influence(cli),
-      add_profile(cli), add_sweep(cli),   add_conicity(cli), add_creep_curves(cli), add_table(cli),
-      add_wear(cli),    add_fatigue(cli), add_wheelset(cli), add_report(cli)};
+  std::vector<Command> added;
+  for (const auto add : all_commands)
+    added.push_back(add(cli));
   refuse_odd_numbers(cli);
   try {
     refuse_unknown_command(cli, argc > 1 ? argv[1] : "");
     cli.parse(argc, argv);
-    return run(cli, commands, print_default);
+    return run(cli, added, print_default);
   } catch (const CLI::ParseError& error) {
     return exit_code_of(cli, error); // --help is no error
   } catch (const ConvergenceError& error) {
