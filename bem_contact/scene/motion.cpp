@@ -132,11 +132,13 @@ std::vector<MotionStep> read_steps(const SceneFile& scene) {
 Creepage creepage_of_scene(const SceneFile& scene) {
   const SceneFile::Motion& m = scene.motion;
   Creepage creepage{m.xi, m.eta, m.phi};
+  const double side = scene.position.side == WheelSide::left ? -1 : 1;
+  creepage.yaw = side * scene.track.curvature();
   if (m.speed) {
-    const double right = (scene.position.side == WheelSide::left ? -1 : 1) / *m.speed;
+    const double right = side / *m.speed;
     creepage.velocity = {0, right * m.lateral_velocity, m.vertical_velocity / *m.speed};
     creepage.roll = right * m.roll_rate;
-    creepage.yaw = right * m.yaw_rate;
+    creepage.yaw += right * m.yaw_rate;
   }
   return creepage;
 }

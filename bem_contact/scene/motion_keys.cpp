@@ -71,7 +71,8 @@ void add_motion(Schema& s, SceneFile::Motion& m) {
         {.unit = "mm/s", .kinds = wheel_rail_alone});
   t.add("roll_rate", m.roll_rate, "Of the wheelset, right side down",
         {.unit = "rad/s", .kinds = wheel_rail_alone});
-  t.add("yaw_rate", m.yaw_rate, "Of the wheelset, front to the right",
+  t.add("yaw_rate", m.yaw_rate,
+        "Of the wheelset, front to the right; in a curve besides speed / track.curve_radius",
         {.unit = "rad/s", .kinds = wheel_rail_alone});
   t.add("slip_table", m.slip_table, "CSV file with columns ix, is, wx, ws (rigid slip) instead of creepages",
         {.kinds = patch_alone});

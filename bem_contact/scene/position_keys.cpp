@@ -41,7 +41,7 @@ void add_position(Schema& s, SceneFile::Position& p) {
         {.unit = "rad", .at_least = -0.5, .at_most = 0.5, .formerly = "position.cant"});
   t.add("roll", p.roll, "Roll of the wheelset, right side down",
         {.unit = "rad", .at_least = -0.5, .at_most = 0.5});
-  t.add("yaw", p.yaw, "Yaw of the wheelset, its front to the right",
+  t.add("yaw", p.yaw, "Yaw of the wheelset against the track, its front to the right",
         {.unit = "rad", .at_least = -0.1, .at_most = 0.1});
   t.add("wheel_radius", p.wheel_radius, "Nominal wheel radius, at the tape circle",
         {.unit = "mm", .above = 0});
@@ -52,6 +52,20 @@ void add_position(Schema& s, SceneFile::Position& p) {
   t.add("rail_vertical", p.rail_vertical, "Deviation of the rail from its place, down", {.unit = "mm"});
   t.add("rail_roll", p.rail_roll, "Turn of the rail about the origin of its profile, right side down",
         {.unit = "rad", .at_least = -0.5, .at_most = 0.5});
+}
+
+void add_track(Schema& s, SceneFile::Track& track) {
+  SchemaTable t(s, "track", wheel_rail_alone);
+  t.add(
+      "curve_radius", track.curve_radius,
+      "Radius of the curve, above 0: its centre is to the right; the wheelset then yaws at motion.speed over "
+      "it. 0: straight track",
+      {.unit = "mm", .zero_is_none = true});
+  t.add("superelevation", track.superelevation,
+        "Height of the outer rail above the inner one over track.base. In a wheelset force is normal to the "
+        "track, and force (v^2 / (g curve_radius) - superelevation / base), outwards, is added to force_y",
+        {.unit = "mm"});
+  t.add("base", track.base, "Distance of the rolling circles of both wheels", {.unit = "mm", .above = 0});
 }
 
 void add_load(Schema& s, SceneFile::Load& load) {
@@ -80,8 +94,8 @@ void add_wheelset(Schema& s, SceneFile::Wheelset& w) {
         "Vertical force on the axle, which both wheels share (bem_contact wheelset), instead of a load",
         {.unit = "N", .above = 0});
   t.add("force_y", w.force_y,
-        "Lateral force on the axle, at its centre, to the right; the lateral displacement that gives it "
-        "is found from position.lateral on",
+        "Lateral force on the axle, at its centre, to the right (besides that of a curve); the lateral "
+        "displacement that gives it is found from position.lateral on",
         {.unit = "N"});
   t.add("roll_moment", w.roll_moment,
         "Moment on the axle about the forward axis through its centre, right side down. A lateral force "

@@ -2,6 +2,7 @@
 
 #include "bem_contact/scene/friction_laws.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <tuple>
 #include <utility>
@@ -105,6 +106,28 @@ void check_motion(const SceneFile& f, const Schema& s) {
              "Give either the rolling radius or both speed and pitch_rate.");
   if (!f.motion.slip_table.empty() && (f.motion.xi != 0 || f.motion.eta != 0 || f.motion.phi != 0))
     s.refuse("motion.slip_table", "creepages are given too", "Give either the table or xi, eta and phi.");
+}
+
+void check_track(const SceneFile& f, const Schema& s) {
+  const SceneFile::Track& track = f.track;
+  if (!track.curve_radius && track.superelevation != 0)
+    s.refuse("track.superelevation", "straight track has no outer rail, and track.curve_radius is not given",
+             "Give the radius of the curve, or leave it out.");
+  if (std::abs(track.superelevation) >= track.base)
+    s.refuse("track.superelevation", fmt::format("the rails are {} mm apart", track.base),
+             "Give the height of the outer rail above the inner one, in mm.");
+  if (!track.curve_radius)
+    return;
+  if (std::abs(*track.curve_radius) <= track.base)
+    s.refuse(
+        "track.curve_radius",
+        fmt::format("the centre of the curve would lie between the rails, which are {} mm apart", track.base),
+        "Give the radius in mm.");
+  if (!f.motion.speed)
+    s.refuse("track.curve_radius", "how a curve is run through depends on motion.speed, which is not given",
+             "Give motion.speed in mm/s.");
+  if (f.motion.kind == MotionKind::shift)
+    s.refuse("track.curve_radius", "a shift does not roll through a curve", "Leave it out.");
 }
 
 void check_steps(const SceneFile& f, const Schema& s) {
@@ -252,6 +275,7 @@ void check_keys(const SceneFile& f, const Schema& s) {
   if (!f.wheelset.force)
     check_load(f, s);
   check_motion(f, s);
+  check_track(f, s);
   check_steps(f, s);
   check_friction(f, s);
   check_stresses(f.stresses, s);

@@ -57,6 +57,16 @@ struct SceneFile {
     bool operator==(const Position&) const = default;
   } position; ///< [position]
 
+  /// [track], wheel_rail: the curve that the wheelset runs through
+  struct Track {
+    std::optional<double> curve_radius = {}; ///< mm; above 0: its centre is to the right
+    double superelevation = 0;               ///< mm over `base`; above 0: the outer rail is higher
+    double base = 1500;                      ///< distance of the rolling circles, mm
+
+    double curvature() const { return curve_radius ? 1 / *curve_radius : 0; } ///< 1/mm
+    bool operator==(const Track&) const = default;
+  } track; ///< [track]
+
   /// [load]; exactly one of force and approach, or position.vertical
   struct Load {
     std::optional<double> force = {};    ///< vertical (patch: normal) force, N
@@ -72,11 +82,11 @@ struct SceneFile {
   /// [wheelset], wheel_rail: both wheels of a wheelset, whose sums are given. Instead of [load]; the room
   /// wheelset answers such a scene.
   struct Wheelset {
-    std::optional<double> force = {}; ///< vertical force on the axle, N
-    std::optional<double> force_y =
-        {};                 ///< lateral force on the axle, N, to the right; position.lateral is found
-    double roll_moment = 0; ///< on the axle, about its centre, N mm, right side down
-    double torque = 0;      ///< that drives the axle, N mm; the rolling radius is found
+    std::optional<double> force = {};   ///< vertical force on the axle, N
+    std::optional<double> force_y = {}; ///< lateral force on the axle besides that of the curve, N, to the
+                                        ///< right; position.lateral is found
+    double roll_moment = 0;             ///< on the axle, about its centre, N mm, right side down
+    double torque = 0;                  ///< that drives the axle, N mm; the rolling radius is found
     /// The left side where it differs: profiles with influence files of their own, and friction.
     std::string left_rail, left_wheel, left_rail_influence, left_wheel_influence;
     std::optional<double> left_friction = {}; ///< Coulomb's mu
@@ -107,7 +117,7 @@ struct SceneFile {
     /// fem, steady rolling: the wheel's surface is faster where it moves away from the axle, by u_r / R.
     bool radial_displacement = true;
     /// wheel_rail: of the wheelset, with speed: to the right and down, mm/s; right side down and front to the
-    /// right, rad/s.
+    /// right, rad/s. The yaw rate is counted from that of the curve, speed / track.curve_radius.
     double lateral_velocity = 0, vertical_velocity = 0, roll_rate = 0, yaw_rate = 0;
     /// patch: CSV file with columns ix, is, wx, ws instead of creepages; wx, ws per unit of rolled distance
     /// (shift: mm).

@@ -114,6 +114,7 @@ Schema scene_schema(SceneFile& f, SceneKeysAsRead& read) {
   add_side(s, "rail", "The rail", f.rail, "60E1, 60E2, 54E1, 46E3", read.rail_young);
   add_side(s, "wheel", "The wheel", f.wheel, "S1002", read.wheel_young);
   add_position(s, f.position);
+  add_track(s, f.track);
   add_load(s, f.load);
   add_wheelset(s, f.wheelset);
   add_motion(s, f.motion);

@@ -34,6 +34,7 @@ std::vector<std::string> unused_keys(const SceneFile& scene, const Schema& schem
 void add_side(Schema& s, const std::string& name, const std::string& role, SceneFile::Side& side,
               const std::string& standards, double& young);
 void add_position(Schema& s, SceneFile::Position& p); ///< [position]
+void add_track(Schema& s, SceneFile::Track& track);   ///< [track]
 void add_load(Schema& s, SceneFile::Load& load);      ///< [load]
 void add_wheelset(Schema& s, SceneFile::Wheelset& w); ///< [wheelset]
 

@@ -17,18 +17,37 @@ struct Cause {
   std::string why;
 };
 
+/// What rolling and friction need, and the normal problem alone does not.
+std::vector<const char*> keys_of_friction(const SceneFile& f) {
+  std::vector<const char*> keys{"motion.friction",
+                                "motion.kinetic_friction",
+                                "motion.friction_table",
+                                "motion.xi",
+                                "motion.eta",
+                                "motion.phi",
+                                "motion.slip_table",
+                                "motion.rolling_radius",
+                                "motion.pitch_rate",
+                                "motion.lateral_velocity",
+                                "motion.vertical_velocity",
+                                "motion.roll_rate",
+                                "motion.yaw_rate",
+                                "motion.from_free_rolling",
+                                "motion.free_rolling",
+                                "motion.radial_displacement",
+                                "temperature.flash"};
+  if (!f.wheelset.force || !f.track.curve_radius) // an axle has a lateral force there
+    keys.insert(keys.begin() + 8, {"motion.speed", "track.curve_radius"});
+  return keys;
+}
+
 std::vector<Cause> causes_of_motion(const SceneFile& f) {
   const SceneFile::Motion& m = f.motion;
   const bool rates = m.pitch_rate || m.lateral_velocity != 0 || m.vertical_velocity != 0 ||
-                     m.roll_rate != 0 || m.yaw_rate != 0;
+                     m.roll_rate != 0 || m.yaw_rate != 0 || f.track.curve_radius;
   const bool falls = asked_law(m) || !m.friction_table.empty();
   std::vector<Cause> causes{
-      {{"motion.friction", "motion.kinetic_friction", "motion.friction_table", "motion.xi", "motion.eta",
-        "motion.phi", "motion.slip_table", "motion.rolling_radius", "motion.speed", "motion.pitch_rate",
-        "motion.lateral_velocity", "motion.vertical_velocity", "motion.roll_rate", "motion.yaw_rate",
-        "motion.from_free_rolling", "motion.free_rolling", "motion.radial_displacement", "temperature.flash"},
-       m.frictionless,
-       "motion.frictionless = true leaves the normal problem alone"},
+      {keys_of_friction(f), m.frictionless, "motion.frictionless = true leaves the normal problem alone"},
       {{"motion.kind"},
        m.frictionless && m.kind != MotionKind::steady,
        "without friction nothing remembers a step"},
@@ -74,6 +93,10 @@ std::vector<Cause> causes_of_bodies(const SceneFile& f) {
        f.rail.structural == StructuralCompliance::removed &&
            f.wheel.structural == StructuralCompliance::removed,
        "no body's structural compliance is included"},
+      {{"track.superelevation", "track.base"},
+       !f.wheelset.force,
+       "an axle needs it, and wheelset.force is not given"},
+      {{"track.base"}, f.wheelset.force && !f.track.curve_radius, "track.curve_radius is not given"},
       {{"solver.contact_motion"},
        f.solver.structural_motion == StructuralMotion::linear ||
            (m.kind != MotionKind::steady && !m.frictionless),

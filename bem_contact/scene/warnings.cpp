@@ -33,6 +33,8 @@ constexpr double largest_wheel_radius = 750.0;
 /// 1. A velocity above this share of the speed, or a rolling radius that differs from the wheel's by more, is
 /// probably in another unit.
 constexpr double largest_motion_share = 0.3;
+/// mm. A curve with a smaller radius is probably one in m: trams have some 15 m.
+constexpr double least_curve_radius = 1e4;
 /// mm. Contact this near to the height of a flange's tip is contact on the tip.
 constexpr double flange_tip_depth = 2.0;
 
@@ -85,6 +87,12 @@ void look_at_motion(const SceneFile& scene, double rolling_radius, std::vector<s
     if (m.speed && std::abs(velocity) > largest_motion_share * *m.speed)
       out.push_back(fmt::format("motion.{} is {:.3g} times motion.speed (the unit of both is mm/s)", key,
                                 std::abs(velocity) / *m.speed));
+}
+
+void look_at_track(const SceneFile::Track& track, std::vector<std::string>& out) {
+  if (track.curve_radius && std::abs(*track.curve_radius) < least_curve_radius)
+    out.push_back(fmt::format("track.curve_radius = {:g} mm is a curve of {:.3g} m (the unit is mm)",
+                              *track.curve_radius, std::abs(*track.curve_radius) / 1000));
 }
 
 /// The flange's tip; the wheel's section as its table has it.
@@ -173,6 +181,7 @@ std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSet
         !none.empty())
       out.push_back(std::move(none));
     look_at_motion(scene, setup.motion.creepage.rolling_radius, out);
+    look_at_track(scene.track, out);
     if (scene.position.wheel_radius > largest_wheel_radius)
       out.push_back(fmt::format("position.wheel_radius = {:g} mm: the radius is asked for, not the diameter",
                                 scene.position.wheel_radius));

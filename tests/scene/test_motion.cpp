@@ -7,6 +7,7 @@
 #include "tests/scene/patch_on_grid.hpp"
 
 #include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -225,6 +226,18 @@ TEST_F(MotionTables, ComparingStepsNeedsAForce) {
   scene.load = {};
   scene.load.approach = 0.02;
   EXPECT_THROW(Sequence().compare(scene), InputError);
+}
+
+/// The wheelset turns with the track, and motion.yaw_rate counts from there.
+TEST(Motion, ACurveIsAYawRate) {
+  for (const char* side : {"left", "right"}) {
+    const std::string one = fmt::format("rail.profile = '60E1'\nwheel.profile = 'S1002'\nload.force = 1e5\n"
+                                        "motion.speed = 2e4\nposition.side = '{}'\n",
+                                        side);
+    const auto yaw = [&](const char* more) { return read_motion(parse_scene_file(one + more)).creepage.yaw; };
+    EXPECT_NEAR(yaw("track.curve_radius = -5e5\n"), yaw("motion.yaw_rate = -0.04\n"), 1e-20) << side;
+    EXPECT_NEAR(yaw("track.curve_radius = 4e5\nmotion.yaw_rate = -0.05\n"), 0, 1e-20) << side;
+  }
 }
 
 } // namespace

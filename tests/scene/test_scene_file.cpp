@@ -193,6 +193,20 @@ TEST(SceneFile, what_excludes_each_other_is_not_given_together) {
 const std::string wheel = "rail.profile = '60E1'\nwheel.profile = 'S1002'\nload.force = 1\n";
 const std::string flat = "kind = 'patch'\ngrid.mx = 20\ngrid.ms = 10\nload.force = 1000\n";
 
+TEST(SceneFile, a_curve_needs_a_speed_and_superelevation_a_curve) {
+  EXPECT_THAT(refusal(wheel + "track.curve_radius = 3e5\n"), HasSubstr("motion.speed, which is not given"));
+  EXPECT_THAT(refusal(wheel + "motion.speed = 1e4\ntrack.superelevation = 100\n"),
+              HasSubstr("(straight track has no outer rail, and track.curve_radius is not given)"));
+  EXPECT_THAT(refusal(wheel + "motion.speed = 1e4\ntrack.curve_radius = 300\n"),
+              HasSubstr("between the rails, which are 1500"));
+  EXPECT_THAT(refusal(wheel + "motion.speed = 1e4\ntrack.curve_radius = 3e5\nmotion.kind = 'shift'\n"),
+              HasSubstr("a shift does not roll through a curve"));
+  EXPECT_THAT(refusal("kind = 'patch'\ntrack.curve_radius = 3e5\n"), HasSubstr("track.curve_radius"));
+  const SceneFile f = parse_scene_file(wheel + "motion.speed = 1e4\ntrack.curve_radius = -3e5\n");
+  EXPECT_EQ(f.track.curve_radius, -3e5);
+  EXPECT_THAT(f.unused, IsEmpty());
+}
+
 TEST(SceneFile, keys_without_effect_are_said) {
   const auto unused = [](const std::string& text) { return parse_scene_file(text).unused; };
   const auto keys = [](const std::string& names) {
@@ -211,6 +225,12 @@ TEST(SceneFile, keys_without_effect_are_said) {
   EXPECT_THAT(unused(wheel + "motion.frictionless = true\nmotion.speed = 1e4\nmotion.pitch_rate = 20\n"),
               keys("motion.speed, motion.pitch_rate"));
   EXPECT_THAT(unused(flat + "motion.frictionless = true\nmotion.kind = 'shift'\n"), keys("motion.kind"));
+  const std::string curve = "motion.speed = 1e4\ntrack.curve_radius = 3e5\n";
+  EXPECT_THAT(unused(wheel + "motion.frictionless = true\n" + curve),
+              keys("motion.speed, track.curve_radius"));
+  EXPECT_THAT(unused(wheel + curve + "track.superelevation = 90\n"), keys("track.superelevation"));
+  const std::string axle = "rail.profile = '60E1'\nwheel.profile = 'S1002'\nwheelset.force = 2e5\n";
+  EXPECT_THAT(unused(axle + "motion.frictionless = true\ntrack.superelevation = 90\n" + curve), IsEmpty());
   EXPECT_THAT(unused(flat + "motion.friction = 0.2\nmotion.friction_table = 'mu.csv'\n"),
               keys("motion.friction"));
   EXPECT_THAT(unused(wheel + "motion.kind = 'shift'\nmotion.rolling_radius = 460\n"),

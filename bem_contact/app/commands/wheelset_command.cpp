@@ -95,9 +95,23 @@ std::string pose_text(const WheelsetResult& r) {
   return out;
 }
 
+/// What the curve asks, and what there is of it.
+std::string curve_text(const WheelsetResult& r) {
+  if (std::isnan(r.curve.force))
+    return "";
+  const double outer = r.curve.radius_difference > 0 ? 1 : -1; // 1: the right wheel is the outer one
+  const double found = named(wheelset_quantities(), "radius_difference").value(r);
+  return fmt::format(
+      "the curve presses the axle with {} N {}wards{}; the outer wheel rolls on a radius {:.3f} mm "
+      "{} than the inner one, and without longitudinal creepage it would be {:.3f} mm larger\n",
+      number(std::abs(r.curve.force)), outer * r.curve.force < 0 ? "in" : "out",
+      std::isnan(r.lateral_residual) ? " (not added: the displacement is given)" : "", std::abs(found),
+      outer * found < 0 ? "smaller" : "larger", outer * r.curve.radius_difference);
+}
+
 /// For people: both wheels side by side in the track frame, then what solve prints of each.
 std::string wheelset_text(const WheelsetResult& r) {
-  std::string out = pose_text(r);
+  std::string out = pose_text(r) + curve_text(r);
   out += fmt::format("  {:22} {:>13} {:>13} {:>13}\n", "y to the right for both", "right", "left", "sum");
   for (const WheelQuantity& q : wheel_quantities())
     out += line_of(q, r);

@@ -62,6 +62,11 @@ template <Name name> WheelQuantity as_in_result() {
   return {q.name, q.unit, q.meaning, own<name>, own_error<name>};
 }
 
+/// Of the wheel at the contact, mm.
+double radius(const State& s, WheelSide side) {
+  return s.wheel_radius + place<&PatchPlace::wheel_z>(s, side);
+}
+
 constexpr WheelsetQuantity of_wheelset[] = {
     {"lateral", "mm", "lateral displacement, to the right; its error: of one that was found",
      [](const Result& r) { return r.state.pose.lateral; }, [](const Result& r) { return r.lateral_error; }},
@@ -73,6 +78,16 @@ constexpr WheelsetQuantity of_wheelset[] = {
      [](const Result& r) {
        return r.state.pose.rolling_radius.value_or(std::numeric_limits<double>::quiet_NaN());
      }},
+    {"radius_difference", "mm", "of the wheels at their contacts, right less left",
+     [](const Result& r) { return radius(r.state, WheelSide::right) - radius(r.state, WheelSide::left); }},
+    {"curve_radius_difference", "mm",
+     "the same, as it would be if both wheels rolled through the curve without longitudinal creepage; nan: "
+     "straight",
+     [](const Result& r) { return r.curve.radius_difference; }},
+    {"curve_force", "N",
+     "on the axle, to the right: what superelevation leaves of the centrifugal force; in Fy where force_y is "
+     "given; nan: straight",
+     [](const Result& r) { return r.curve.force; }},
     {"Fx", "N", "on both rails", sum_of_forces<0>},
     {"Fy", "N", "on both rails", sum_of_forces<1>},
     {"Fz", "N", "on both rails", sum_of_forces<2>},
@@ -115,8 +130,7 @@ const WheelQuantity of_wheel[] = {
     {"rail_y", "mm", "of the contact on the rail's profile, to the field side", place<&PatchPlace::rail_y>},
     {"wheel_y", "mm", "of the contact on the wheel's profile, to the field side",
      place<&PatchPlace::wheel_y>},
-    {"radius", "mm", "of the wheel at the contact",
-     [](const State& s, WheelSide side) { return s.wheel_radius + place<&PatchPlace::wheel_z>(s, side); }},
+    {"radius", "mm", "of the wheel at the contact", radius},
     {"xi", "1", "longitudinal creepage", place<&PatchPlace::xi>},
     {"eta", "1", "lateral creepage, to the right", mirrored_place<&PatchPlace::eta>},
     {"phi", "1/mm", "spin creepage", mirrored_place<&PatchPlace::phi>},

@@ -80,12 +80,14 @@ struct FailedSearch {
   LateralSample best; ///< the force nearest to it
   bool lifts = false; ///< a wheel lifts beyond
   double roll_moment = 0;
+  double of_curve = 0; ///< N, in `wanted`
 };
 
 [[noreturn]] void refuse_lateral(const FailedSearch& f) {
   const bool more = f.best.force < f.wanted;
   throw InputError(
-      fmt::format("No lateral displacement gives the wheelset a lateral force of {:g} N", f.wanted),
+      fmt::format("No lateral displacement gives the wheelset a lateral force of {:g} N{}", f.wanted,
+                  f.of_curve != 0 ? fmt::format(" (in which {:g} N are the curve's)", f.of_curve) : ""),
       fmt::format(
           "by a search with larger elements, from {:g} mm on the rails bear {} about {:.1e} N, at about "
           "{:.1f} mm; beyond that {}",
@@ -243,7 +245,8 @@ public:
         follower_(finder_, scene.position.lateral, finder_.begin(scene.position.lateral, rough_elements),
                   rough_tolerance),
         start_{scene.position.lateral, follower_.required_force(scene.position.lateral)},
-        wanted_(*scene.wheelset.force_y) {}
+        wanted_(*scene.wheelset.force_y),
+        curve_force_(scene.track.curve_radius ? curve_demand(scene).force : 0) {}
 
   /// Whether the start may bear the force.
   bool near() const {
@@ -257,8 +260,8 @@ public:
     const std::optional<LateralRoot> guess =
         search_lateral([&](double y) { return follower_.force(y); }, start_, wanted_, near(), best);
     if (!guess)
-      refuse_lateral(
-          {wanted_, start_.lateral, best, follower_.lifts(), finder_.scene().wheelset.roll_moment});
+      refuse_lateral({wanted_, start_.lateral, best, follower_.lifts(), finder_.scene().wheelset.roll_moment,
+                      curve_force_});
     return {*guess, follower_.last().state.pose, follower_.near(guess->lateral)};
   }
   int contact_problems() const { return finder_.contact_problems(); }
@@ -267,7 +270,7 @@ private:
   EquilibriumFinder finder_;
   Follower follower_;
   LateralSample start_;
-  double wanted_;
+  double wanted_, curve_force_;
 };
 
 /// How far the displacement is off where the forces are off by their stated errors, mm. Where these are not
@@ -393,9 +396,10 @@ RoughPlace first_place(EquilibriumFinder& finder, RoughSearch* rough) {
 
 } // namespace
 
-WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* stop,
+WheelsetResult solve_wheelset(const SceneFile& given, const std::atomic<bool>* stop,
                               std::shared_ptr<SequenceFiles> files) {
-  require_wheelset(scene);
+  require_wheelset(given);
+  const SceneFile scene = with_curve_force(given);
   const Stopwatch clock;
   if (!files)
     files = shared_files();
@@ -414,7 +418,8 @@ WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* s
     place.start = found->start();
     place.guess.lateral = found->state.pose.lateral;
   }
-  WheelsetResult out{.state = std::move(found->state), .residual = found->residual};
+  WheelsetResult out{
+      .state = std::move(found->state), .residual = found->residual, .curve = curve_demand(scene)};
   if (rough) {
     const double wanted = *scene.wheelset.force_y, force = *scene.wheelset.force;
     out.lateral_residual = std::abs(out.state.sum().force[1] - wanted) / force;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/uses/wheelset/curve.hpp"
 #include "bem_contact/uses/wheelset/wheel_pair.hpp"
 
 #include <atomic>
@@ -10,16 +11,18 @@ namespace bem_contact {
 
 /// Both wheels of a wheelset in equilibrium.
 ///
-/// The forces on the axle are given: wheelset.force down, and wheelset.force_y to the right or, instead, the
-/// lateral displacement. Both act at the wheelset's centre, on the axle. Roll follows from the moments about
-/// the forward axis through that centre: each vertical force on a rail has the lever arm y of its contact
-/// (some 750 mm), each lateral force the height of the axle above it (some 460 mm), and their sum is
-/// wheelset.roll_moment. Yaw is given. The axle turns both wheels alike: the rolling radius is given, or is
-/// that at which wheelset.torque drives the axle (0: it rolls freely).
+/// The forces on the axle are given: wheelset.force down (normal to the track), and wheelset.force_y to the
+/// right, with the force of a curve (CurveDemand), or, instead, the lateral displacement. Both act at the
+/// wheelset's centre, on the axle. Roll follows from the moments about the forward axis through that centre:
+/// each vertical force on a rail has the lever arm y of its contact (some 750 mm), each lateral force the
+/// height of the axle above it (some 460 mm), and their sum is wheelset.roll_moment. Yaw is given. The axle
+/// turns both wheels alike: the rolling radius is given, or is that at which wheelset.torque drives the axle
+/// (0: it rolls freely).
 struct WheelsetResult {
-  WheelsetState state; ///< where it stands, and both wheels
-  double residual = 0; ///< largest of the equilibrium's (Equilibrium::residual)
-  /// |sum Fy - force_y| over force; nan where the displacement is given.
+  WheelsetState state;    ///< where it stands, and both wheels
+  double residual = 0;    ///< largest of the equilibrium's (Equilibrium::residual)
+  CurveDemand curve = {}; ///< nan on straight track
+  /// |sum Fy - force_y - curve.force| over force; nan where the displacement is given.
   double lateral_residual = std::numeric_limits<double>::quiet_NaN();
   /// By how much the lateral displacement that was found may be off, because forces are off by their stated
   /// errors, mm; where these are not known, by what larger elements change. nan: the displacement is given.

@@ -3,6 +3,7 @@
 #include "bem_contact/uses/wheelset/quantities.hpp"
 #include "tests/uses/wheelset/scenes.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -49,16 +50,12 @@ TEST(Wheelset, CentredIsTwoSingleWheels) {
   EXPECT_NEAR(r.state.pose.rolling_radius.value(), single.free_rolling.value().rolling_radius, 1e-3);
 }
 
-/// Displacement, yaw, force and moment of other sign: the mirror image, number by number.
-TEST(Wheelset, MirrorImages) {
-  const char* one = "position.lateral = 3\nposition.yaw = 2e-3\nwheelset.roll_moment = 1e7\n"
-                    "wheelset.torque = 2e6\nmotion.speed = 2e4\nmotion.lateral_velocity = 10\n";
-  const char* other = "position.lateral = -3\nposition.yaw = -2e-3\nwheelset.roll_moment = -1e7\n"
-                      "wheelset.torque = 2e6\nmotion.speed = 2e4\nmotion.lateral_velocity = -10\n";
-  const WheelsetResult a = solve_wheelset(standard(one)), b = solve_wheelset(standard(other));
+/// Number by number, b is the mirror image of a.
+void expect_mirror_images(const WheelsetResult& a, const WheelsetResult& b) {
   const auto sign = [](std::string_view name) {
-    for (const char* odd : {"lateral", "roll", "yaw", "Fy", "roll_moment", "yaw_moment", "Mx", "Mz", "y",
-                            "delta", "eta", "phi"})
+    for (const char* odd :
+         {"lateral", "roll", "yaw", "Fy", "roll_moment", "yaw_moment", "Mx", "Mz", "y", "delta", "eta", "phi",
+          "radius_difference", "curve_radius_difference", "curve_force"})
       if (name == odd)
         return -1.0;
     return 1.0;
@@ -69,13 +66,74 @@ TEST(Wheelset, MirrorImages) {
     }
   };
   for (const WheelsetQuantity& q : wheelset_quantities())
-    if (std::string_view(q.name) != "residual")
+    if (std::string_view(q.name) != "residual" && std::string_view(q.name) != "lateral_residual")
       expect_same(q.name, q.value(a), q.value(b), sign(q.name) * q.value(a));
   for (const WheelQuantity& q : wheel_quantities()) {
     const double right = q.value(a.state, WheelSide::right), left = q.value(a.state, WheelSide::left);
     expect_same(q.name, right, q.value(b.state, WheelSide::left), sign(q.name) * right);
     expect_same(q.name, left, q.value(b.state, WheelSide::right), sign(q.name) * left);
   }
+}
+
+/// Displacement, yaw, force and moment of other sign: the mirror image, number by number.
+TEST(Wheelset, MirrorImages) {
+  const char* one = "position.lateral = 3\nposition.yaw = 2e-3\nwheelset.roll_moment = 1e7\n"
+                    "wheelset.torque = 2e6\nmotion.speed = 2e4\nmotion.lateral_velocity = 10\n";
+  const char* other = "position.lateral = -3\nposition.yaw = -2e-3\nwheelset.roll_moment = -1e7\n"
+                      "wheelset.torque = 2e6\nmotion.speed = 2e4\nmotion.lateral_velocity = -10\n";
+  expect_mirror_images(solve_wheelset(standard(one)), solve_wheelset(standard(other)));
+}
+
+/// A curve to the left is the mirror image of one to the right.
+TEST(Wheelset, CurvesToBothSidesAreMirrorImages) {
+  const std::string both = "motion.speed = 2e4\ntrack.superelevation = 60\n";
+  const WheelsetResult right = solve_wheelset(
+      standard(both + "track.curve_radius = 5e5\nposition.lateral = -5.5\nposition.yaw = -1e-3\n"));
+  const WheelsetResult left = solve_wheelset(
+      standard(both + "track.curve_radius = -5e5\nposition.lateral = 5.5\nposition.yaw = 1e-3\n"));
+  EXPECT_LT(of_wheelset(right, "curve_force"), -1e3) << "outwards";
+  expect_mirror_images(right, left);
+}
+
+/// The outer wheel has the longer way. Cones displaced outwards by Redtenbacher's y = r0 b / (slope R), b
+/// half of track.base, roll through the curve as a cone on a table: no longitudinal force is left. Displaced
+/// inwards, both wheels creep twice as much as in the middle.
+TEST(Wheelset, ConesRollThroughACurveOutwardsAsRedtenbacherSays) {
+  const double slope = 1.0 / 40, radius = 1.5e6, y = 460 * 750 / (slope * radius);
+  const auto fx_of_left = [&](double lateral, const char* curve) {
+    const WheelsetResult r = solve_wheelset(
+        cones(fmt::format("position.lateral = {}\nmotion.friction = 0.4\n{}", lateral, curve)));
+    EXPECT_NEAR(of_wheelset(r, "torque"), 0, 1e-5 * 460 * 1e5);
+    return of_wheel(r, WheelSide::left, "Fx");
+  };
+  const char* to_the_right = "motion.speed = 1e4\ntrack.curve_radius = 1.5e6\n";
+  const double straight = fx_of_left(-y, ""), outwards = fx_of_left(-y, to_the_right),
+               middle = fx_of_left(0, to_the_right), inwards = fx_of_left(y, to_the_right);
+  fmt::print(
+      "Fx of the outer wheel: {:.0f} N outwards, {:.0f} in the middle, {:.0f} inwards; straight {:.0f}\n",
+      outwards, middle, inwards, straight);
+  EXPECT_GT(std::abs(straight), 5e3);
+  EXPECT_LT(std::abs(outwards), 0.02 * std::abs(straight));
+  EXPECT_NEAR(middle, -straight, 0.05 * std::abs(straight)); // what the displacement cancels
+  EXPECT_GT(inwards, 1.3 * middle);                          // not twice: friction is being used up
+}
+
+/// Superelevation balances the centrifugal force where v^2 / (g R) = superelevation / base; without it the
+/// whole of it presses the axle outwards, beside force_y.
+TEST(Wheelset, ACurvePressesTheAxleOutwards) {
+  const double force = 2e5, radius = 4e5, speed = 15e3, g = 9806.65;
+  const std::string curve = fmt::format("motion.speed = {}\ntrack.curve_radius = {}\n", speed, radius);
+  const double balance = 1500 * speed * speed / (g * radius);
+  const WheelsetResult balanced = solve_wheelset(
+      standard(curve + fmt::format("position.lateral = 2\ntrack.superelevation = {}\n", balance)));
+  EXPECT_NEAR(of_wheelset(balanced, "curve_force"), 0, 1e-9 * force);
+  EXPECT_NEAR(of_wheelset(balanced, "curve_radius_difference"), -460.0 * 1500 / radius, 1e-12);
+  const WheelsetResult pressed =
+      solve_wheelset(standard(curve + "wheelset.force_y = 3e3\nposition.lateral = -5\n"));
+  const double outwards = force * speed * speed / (g * radius);
+  EXPECT_NEAR(of_wheelset(pressed, "curve_force"), -outwards, 1e-12 * force);
+  EXPECT_NEAR(of_wheelset(pressed, "Fy"), 3e3 - outwards, 2e-6 * force);
+  EXPECT_LT(of_wheelset(pressed, "lateral"), 0);
 }
 
 /// A cone on a circle stands as a cone that is larger by the circle's radius stands on its centre. With the
