@@ -17,6 +17,7 @@ inline constexpr const char* creep_curves_format = "bem_contact creep curves 2";
 inline constexpr const char* fatigue_format = "bem_contact fatigue 2";
 inline constexpr const char* table_format = "bem_contact table 4";
 inline constexpr const char* wear_format = "bem_contact wear 2";
+inline constexpr const char* contact_wear_format = "bem_contact wear of one contact 1"; ///< JSON alone
 inline constexpr const char* numbers_format = "conformal-contact influence numbers 2";
 
 /// A kind of file that stands for itself.

@@ -38,6 +38,44 @@ protected:
   }
 };
 
+/// One contact and both wheels of a wheelset, without a load collective: the record of the library, in words
+/// and as JSON.
+TEST_F(WearCommand, OneContactByKilometreAxlesAndTonnes) {
+  const std::string one = write("one.toml", scene.substr(0, scene.find("[sweep]"))).string();
+  const Outcome said = run("wear " + one);
+  ASSERT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("per million axles"));
+  EXPECT_THAT(said.out, HasSubstr("per MGT (axles of 16.32 t)"));
+  const auto j = nlohmann::json::parse(run("wear " + one + " --json").out);
+  const auto solved = nlohmann::json::parse(run("solve " + one + " --json").out);
+  EXPECT_EQ(j["T_gamma"], solved["quantities"]["T_gamma"]);
+  EXPECT_NEAR(j["axle_load"].get<double>(), 2 * 8e4 / 9806.65, 1e-3);
+  EXPECT_NEAR(j["rail_area_per_mgt"].get<double>() * j["axle_load"].get<double>(),
+              j["rail_area_per_million_axles"].get<double>(), 1e-9);
+  const Outcome harder = run("wear " + one + " --law archard --hardness 1e6 --json");
+  EXPECT_LT(nlohmann::json::parse(harder.out)["wheel_depth_per_km"], j["wheel_depth_per_km"]);
+
+  std::string axle = scene.substr(0, scene.find("[sweep]"));
+  axle.replace(axle.find("load.force = 8e4"), 16,
+               "wheelset.force = 2e5\nposition = { lateral = 5, cant = 0.025 }");
+  axle.replace(axle.find("xi = 2e-3\n"), 10, "");
+  const auto both = nlohmann::json::parse(run("wear " + write("axle.toml", axle).string() + " --json").out);
+  for (const char* side : {"right", "left"}) {
+    EXPECT_GT(both[side]["rail_depth_per_mgt"].get<double>(), 0) << side;
+    EXPECT_NEAR(both[side]["axle_load"].get<double>(), 2e5 / 9806.65, 1e-3) << side;
+  }
+}
+
+TEST_F(WearCommand, AStudyHasAFolderAndOneContactHasNone) {
+  const std::string one = write("one.toml", scene.substr(0, scene.find("[sweep]"))).string();
+  const Outcome folder = run("wear " + one + " -o " + path("worn"));
+  EXPECT_EQ(folder.code, 2);
+  EXPECT_THAT(folder.err, HasSubstr("no table [sweep] with a load collective"));
+  const Outcome study = run("wear " + write("scene.toml", scene).string());
+  EXPECT_EQ(study.code, 2);
+  EXPECT_THAT(study.err, HasSubstr("--output is not given"));
+}
+
 /// Whoever stops and goes on has the same profiles as who does not. Going on deeper needs no new beginning.
 TEST_F(WearCommand, GoesOnAfterTheLastStep) {
   write("scene.toml", scene + "weight = [3, 1]\n");

@@ -1,5 +1,6 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
+#include "bem_contact/app/wear/one_contact.hpp"
 #include "bem_contact/app/wear/wear_influence.hpp"
 #include "bem_contact/app/wear/wear_state.hpp"
 #include "bem_contact/base/argument_error.hpp"
@@ -36,11 +37,16 @@ repeated until --depth is reached. Example:
 You should see one line for each step. The folder has the profiles of each step (rail_0001.txt, wheel_0001.txt), wear.csv
 and wear.h5. If the program is stopped, give the same command again: it goes on after the last finished step.
 
+A scene without [sweep] is one contact, or both wheels of a wheelset. What it wears away is printed, by km of the wheel and by
+a million axles and a million gross tonnes (MGT) on the rail; the profiles stay. Example:
+    bem_contact wear data/scenes/curved_track.toml
+
 More: data/tutorial/wear.md. The collective as a CSV file (sweep.table), and a wear map of your own ([wear], for archard):
 data/scenes/README.md.)";
 
 struct WearArguments {
   std::string scene, output, model, influence;
+  bool json = false;
   wear::StudyOptions study;
 
   /// All that the result depends on but --depth and --influence: a run may go deeper later.
@@ -75,12 +81,37 @@ void warn_of_smoothing(const std::vector<wear::WearRow>& history) {
                       100 * most)});
 }
 
+/// Refuses a folder for one contact, and a study without one.
+void require_folder(const WearArguments& arguments, bool study) {
+  if (study && arguments.output.empty())
+    throw InputError("A wear study needs a folder",
+                     "the scene has a table [sweep], and --output is not given",
+                     "Give -o FOLDER, or a scene without [sweep] for the wear of one contact.");
+  if (study && arguments.json)
+    throw InputError("A wear study has no --json", "its tables are wear.csv and wear.h5 in the folder",
+                     "Leave it out.");
+  if (!study && !arguments.output.empty())
+    throw InputError("There is no wear study", "the scene has no table [sweep] with a load collective",
+                     "Give one, or leave out --output for the wear of one contact.");
+}
+
+ExitCode study(const WearArguments& arguments, const SceneText& scene);
+
 ExitCode run(const WearArguments& arguments) {
-  const SweepFile sweep = read_sweep_file(arguments.scene);
-  check_values(sweep);
-  const wear::Study study = wear::study_of(sweep, arguments.model, arguments.study);
+  const SceneText scene = read_scene_text(arguments.scene);
+  const bool is_study = has_sweep(scene);
+  require_folder(arguments, is_study);
   if (arguments.study.law == "archard" && arguments.study.speed < least_speed)
     warn({fmt::format("--speed {:g} mm/s is below walking pace: give it in mm/s", arguments.study.speed)});
+  return is_study ? study(arguments, scene)
+                  : wear_of_one_contact({with_model(parse_scene_file(scene), arguments.model), arguments.json,
+                                         arguments.study});
+}
+
+ExitCode study(const WearArguments& arguments, const SceneText& scene) {
+  const SweepFile sweep = parse_sweep_file(scene);
+  check_values(sweep);
+  const wear::Study study = wear::study_of(sweep, arguments.model, arguments.study);
   const std::string digest = digest_of(sweep, arguments.digest_text());
   const std::filesystem::path folder = arguments.output;
   make_folder(folder);
@@ -121,11 +152,12 @@ ExitCode run(const WearArguments& arguments) {
 Command add_wear(CLI::App& program) {
   const auto arguments = std::make_shared<WearArguments>();
   WearArguments& a = *arguments;
-  CLI::App* line = program.add_subcommand("wear", "Let profiles wear under a load collective");
-  line->add_option("scene", a.scene, "Scene file (TOML) with a table [sweep]")->required();
+  CLI::App* line = program.add_subcommand(
+      "wear", "Let profiles wear under a load collective, or what one contact wears away");
+  line->add_option("scene", a.scene, "Scene file (TOML); with a table [sweep]: a study")->required();
   add_output_option(*line, "-o,--output", a.output,
-                    "Folder of the profiles and tables: a new or empty one, or one to go on in")
-      ->required();
+                    "Folder of the profiles and tables of a study: a new or empty one, or one to go on in");
+  add_json(*line, a.json);
   const CLI::Range positive(1e-6, 1e6);
   const auto number = [&](const char* name, double& value, const char* what) {
     line->add_option(name, value, what)->check(positive)->capture_default_str();

@@ -1,0 +1,91 @@
+#include "bem_contact/app/wear/one_contact.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/json.hpp"
+#include "bem_contact/sequence/scene_record.hpp"
+#include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/sequence/uncertified.hpp"
+#include "bem_contact/uses/wear/rates.hpp"
+#include "bem_contact/uses/wheelset/solve_wheelset.hpp"
+
+#include <fmt/format.h>
+
+namespace bem_contact::app {
+
+namespace {
+
+/// One wheel and what it wears away.
+struct WornContact {
+  std::string name; ///< "right" or "left" of a wheelset, else ""
+  wear::Wear wear;
+  wear::WearRates rates;
+  std::vector<double> t_gamma; ///< of each patch, N
+};
+
+WornContact worn(std::string name, const SceneResult& result, double axle_force, const wear::Law& law) {
+  if (!certified(result))
+    throw ConvergenceError("There is no wear of a result that is not certified", why_not_certified(result),
+                           "Solve the scene alone to see why.");
+  WornContact out{std::move(name), wear::wear_of(result, law), {}, {}};
+  out.rates = wear::rates_of(result, out.wear, axle_force);
+  for (const PatchSummary& patch : result.result.patches)
+    out.t_gamma.push_back(patch.T_gamma);
+  return out;
+}
+
+std::vector<WornContact> worn_contacts(const SceneFile& scene, const wear::Law& law) {
+  if (!scene.wheelset.force) {
+    const SceneResult result = Sequence().solve(scene);
+    warn(result.warnings);
+    return {worn("", result, 2 * result.result.Fz, law)};
+  }
+  const WheelsetResult both = solve_wheelset(scene);
+  warn(both.warnings);
+  std::vector<WornContact> out;
+  for (const WheelSide side : both_sides)
+    out.push_back(worn(std::string(name_of(side)), both.state.solved(side), both.state.sum().force[2], law));
+  return out;
+}
+
+std::string text_of(const WornContact& w) {
+  const auto amount = [](double value) { return fmt::format("{:.4g}", value); };
+  std::string patches;
+  for (const double t : w.t_gamma)
+    patches += fmt::format("{}{:.4g}", patches.empty() ? "" : " + ", t);
+  const wear::WearRates& r = w.rates;
+  return fmt::format(
+      "{}T-gamma {} N{}\n"
+      "wheel: {} mm at the deepest row and {} mm2 of its section per km\n"
+      "rail: {} mm and {} mm2 per million axles; {} mm and {} mm2 per MGT (axles of {:.4g} t)\n",
+      w.name.empty() ? "" : w.name + " wheel: ", amount(r.t_gamma),
+      w.t_gamma.size() > 1 ? fmt::format(" (by patch {})", patches) : "", amount(r.wheel_depth),
+      amount(r.wheel_area), amount(r.rail_depth), amount(r.rail_area), amount(r.mgt_rail_depth),
+      amount(r.mgt_rail_area), r.axle_load);
+}
+
+record::Record record_of_all(const std::vector<WornContact>& all) {
+  record::Record out = headed(contact_wear_format);
+  for (const WornContact& w : all)
+    if (w.name.empty())
+      out.append(record_of(w.rates, w.wear));
+    else
+      out.add(w.name, record_of(w.rates, w.wear));
+  return out;
+}
+
+} // namespace
+
+ExitCode wear_of_one_contact(const OneContactWear& asked) {
+  const wear::Law law =
+      wear::law_named(asked.law.law, asked.law.hardness, asked.law.speed, wear::wear_map_of(asked.scene));
+  const std::vector<WornContact> all = worn_contacts(asked.scene, law);
+  if (asked.json)
+    fmt::print("{}\n", record::to_json(record_of_all(all)));
+  else
+    for (const WornContact& w : all)
+      fmt::print("{}", text_of(w));
+  return success;
+}
+
+} // namespace bem_contact::app

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "bem_contact/app/command.hpp"
+#include "bem_contact/uses/wear/study.hpp"
+
+namespace bem_contact::app {
+
+/// How `wear` was asked of a scene without a table [sweep].
+struct OneContactWear {
+  SceneFile scene;
+  bool json = false;
+  wear::StudyOptions law = {}; ///< of it: law, hardness and speed
+};
+
+/// Solves one wheel, or both of a wheelset, and prints what a kilometre, a million axles and a million gross
+/// tonnes take off. Throws what the solution and wear_of() throw.
+ExitCode wear_of_one_contact(const OneContactWear& asked);
+
+} // namespace bem_contact::app
