@@ -148,7 +148,8 @@ void add_check_and_sweep(py::module_& module) {
       "certified or refused), `reason` (what is wrong or doubtful, in words), `model`, `weight`, and the "
       "numbers of a Result under their names (\"pmax\", \"Fx\", \"Fx_error\" ...; nan where there is no "
       "result); `patches`: the same of all patches, with `case` (from 0) and `patch` (from 1, the largest "
-      "force first). Of wheelsets, the numbers of wheelset() and no `patches`. mm, N, MPa, rad. Raises "
+      "force first). Of wheelsets, the numbers of wheelset(), and `patches` with `left` (1: of the left "
+      "wheel). mm, N, MPa, rad. Raises "
       "InputError for a scene without [sweep] and a value that no scene has. The program solves with several "
       "processes, keeps fields, and goes on after it was stopped.");
 }

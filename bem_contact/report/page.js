@@ -91,10 +91,10 @@ const addComparison = () => {
 const addSweep = () => {
   const keys = sweptKeys(data).filter(k => new Set(data[k].values).size > 1), wheels = "right_share" in data;
   const both = name => [`right_${name}`, `left_${name}`];
-  const columns = wheels ? ["lateral", "roll", ...both("share"), ...both("Fy"), ...both("pmax")] : ["pmax", "area", "Fx", "Fy", "Fz", "Mz"];
+  const columns = (wheels ? ["lateral", "roll", ...both("share"), ...both("Fy"), ...both("pmax"), ...both("T_gamma")] : ["pmax", "area", "Fx", "Fy", "Fz", "Mz", "T_gamma"]).filter(name => name in data);
   const key = leadingKey(data, keys);
   add("h2", "Cases");
-  if (data.patches?.y.values.some(y => y !== null))
+  if (!wheels && data.patches?.y.values.some(y => y !== null))
     addFigure("patches-over-y", "Where the patches lie on the rail: each bar is as wide as its patch; larger marks carry larger " +
               "normal forces, darker ones larger pressures.", patchesFigure(data, key));
   for (const names of wheels ? [...(key === "position.lateral" ? [] : [["lateral"]]), ["roll"], both("share"), both("Fy"), both("pmax")]

@@ -429,7 +429,16 @@ TEST_F(Sweep, OfWheelsetsIsWhatTheWheelsetCommandSays) {
   EXPECT_THAT(text_of(folder_ / "o.csv"), HasSubstr(",halfspace,"));
   EXPECT_THAT(text_of(folder_ / "o_units.csv"),
               HasSubstr("cases,left_Fy,N,\"left wheel: on the rail, to the right\""));
-  EXPECT_FALSE(fs::exists(folder_ / "o_patches.csv"));
+  // The work of friction of each patch adds up to that of its wheel.
+  double right = 0, left = 0;
+  const std::vector<double>& cases = table.datasets.at("patches/case").values;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    if (cases[i] == 1)
+      (at("patches/left", i) == 1 ? left : right) += at("patches/T_gamma", i);
+  EXPECT_NEAR(right, at("right_T_gamma", 1), 1e-9 * right);
+  EXPECT_NEAR(left, at("left_T_gamma", 1), 1e-9 * left);
+  EXPECT_GE(at("patches/Fn", 0), at("patches/Fn", 1));
+  EXPECT_THAT(text_of(folder_ / "o_patches.csv"), HasSubstr(",left"));
 }
 
 /// A wheel that lifts is a case that is refused, and says why.

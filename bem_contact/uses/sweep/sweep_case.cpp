@@ -37,8 +37,7 @@ SweepCase case_of(const SceneResult& result, const SweepOptions& options) {
   out.status = all ? CaseStatus::certified : CaseStatus::not_certified;
   say(out, all ? result.result.solver_note : why_not_certified(result));
   out.summary = summary_of(result);
-  for (std::size_t i = 0; i < result.result.patches.size(); ++i)
-    out.patches.push_back(values_of(patch_quantities(), result, i));
+  out.patches = patch_rows(result);
   if (options.seen)
     options.seen("", result);
   return out;
@@ -48,6 +47,7 @@ SweepCase case_of(const WheelsetResult& result, const SweepOptions& options) {
   SweepCase out;
   out.status = result.state.certified() ? CaseStatus::certified : CaseStatus::not_certified;
   out.summary = summary_of(result);
+  out.patches = patch_rows(result);
   for (const WheelSide side : both_sides) {
     const SceneResult& wheel = result.state.solved(side);
     const std::string name(name_of(side));

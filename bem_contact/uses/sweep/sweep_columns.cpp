@@ -3,8 +3,11 @@
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/uses/wheelset/quantities.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
+#include <utility>
 
 namespace bem_contact {
 
@@ -50,11 +53,18 @@ std::vector<SweepColumn> columns_of_wheelsets() {
   return all;
 }
 
+std::vector<SweepColumn> columns_of_wheelset_patches() {
+  std::vector<SweepColumn> all = columns_of_table(patch_quantities());
+  all.push_back(
+      {"left", "1", "1: of the left wheel, which counts y, s, Fy, Mz, eta and phi to the left; 0: right"});
+  return all;
+}
+
 } // namespace
 
 const SweepColumns& columns_of(const SweepFile& sweep) {
   static const SweepColumns contacts{columns_of_contacts(), columns_of_table(patch_quantities())},
-      wheelsets{columns_of_wheelsets(), {}};
+      wheelsets{columns_of_wheelsets(), columns_of_wheelset_patches()};
   return sweep.scene(0).wheelset.force ? wheelsets : contacts;
 }
 
@@ -77,6 +87,30 @@ std::vector<double> summary_of(const WheelsetResult& result) {
   }
   values.push_back(static_cast<double>(result.warnings.size()));
   return values;
+}
+
+std::vector<std::vector<double>> patch_rows(const SceneResult& result) {
+  std::vector<std::vector<double>> out;
+  for (std::size_t i = 0; i < result.result.patches.size(); ++i)
+    out.push_back(values_of(patch_quantities(), result, i));
+  return out;
+}
+
+std::vector<std::vector<double>> patch_rows(const WheelsetResult& result) {
+  std::vector<std::pair<double, std::vector<double>>> all; // with its force
+  for (const WheelSide side : both_sides) {
+    const SceneResult& wheel = result.state.solved(side);
+    std::vector<std::vector<double>> own = patch_rows(wheel);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      own[i].push_back(side == WheelSide::left);
+      all.emplace_back(wheel.result.patches[i].fn, std::move(own[i]));
+    }
+  }
+  std::ranges::stable_sort(all, std::greater<>(), &decltype(all)::value_type::first);
+  std::vector<std::vector<double>> out;
+  for (auto& [force, values] : all)
+    out.push_back(std::move(values));
+  return out;
 }
 
 SweepNumbers numbers_of(std::span<const SweepCase> cases, const SweepColumns& columns) {

@@ -18,10 +18,10 @@ struct SweepColumn {
 ///
 /// Of scenes of one contact: quantities() and patch_quantities(), errors after their numbers, and the model.
 /// Of scenes with [wheelset]: wheelset_quantities(), then wheel_quantities() and the model of the right wheel
-/// and of the left one, as right_Fy and left_Fy; no patches.
+/// and of the left one, as right_Fy and left_Fy; and patch_quantities() with the column "left".
 struct SweepColumns {
   std::vector<SweepColumn> cases;   ///< one number a case
-  std::vector<SweepColumn> patches; ///< empty: it has no such table
+  std::vector<SweepColumn> patches; ///< one number a patch
 };
 /// Reads the scene of the first case, so ask once.
 const SweepColumns& columns_of(const SweepFile& sweep);
@@ -31,6 +31,10 @@ bool is_model(const SweepColumn& column);
 /// The numbers of a result, in the order of SweepColumns::cases.
 std::vector<double> summary_of(const SceneResult& result);
 std::vector<double> summary_of(const WheelsetResult& result); ///< of both wheels
+
+/// The numbers of each patch, in the order of SweepColumns::patches; the largest force first.
+std::vector<std::vector<double>> patch_rows(const SceneResult& result);
+std::vector<std::vector<double>> patch_rows(const WheelsetResult& result); ///< of both wheels
 
 /// Holds both tables, column by column.
 struct SweepNumbers {
