@@ -7,6 +7,7 @@
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/uses/fatigue/fatigue_of_result.hpp"
+#include "bem_contact/uses/wear/rates.hpp"
 #include "bem_contact/uses/wear/study.hpp"
 #include "bem_contact/uses/wear/wear_of_result.hpp"
 
@@ -69,9 +70,13 @@ py::dict wear_of(const PythonResult& result, const std::string& law, double hard
                  const std::optional<std::tuple<NumberList, NumberList, std::vector<NumberList>>>& map) {
   const SceneResult& r = solved(result, "wear");
   const wear::Wear w = wear::wear_of(r, wear::law_named(law, hardness, speed, map_of(map)));
-  return py::dict("rate"_a = field(r, w.rate), "s"_a = array_of(w.rail.s), "wheel_s"_a = array_of(w.wheel.s),
-                  "depth"_a = array_of(w.rail.depth), "sliding_distance"_a = array_of(w.sliding_over_s),
-                  "volume_per_distance"_a = w.volume_per_distance);
+  py::dict out("rate"_a = field(r, w.rate), "s"_a = array_of(w.rail.s), "wheel_s"_a = array_of(w.wheel.s),
+               "depth"_a = array_of(w.rail.depth), "sliding_distance"_a = array_of(w.sliding_over_s),
+               "volume_per_distance"_a = w.volume_per_distance);
+  if (r.rolling_radius > 0) // a wheel on a rail
+    out.attr("update")(
+        as_dict(record::numbers_of(wear::rate_columns(), false, wear::rates_of(r, w, 2 * r.result.Fz))));
+  return out;
 }
 
 using States = std::vector<wear::WornPair>; ///< by step, the unworn one first
@@ -181,7 +186,11 @@ void add_wear_functions(py::module_& module) {
       "speed"_a = study.speed, "map"_a = py::none(),
       "What a Result wears away: `rate` (depth per mm rolled, [ms][mx]), `depth` over `s` of the rail in a "
       "passage and over `wheel_s` of the wheel in a revolution (mm), `sliding_distance` (mm), "
-      "`volume_per_distance` (mm3/mm). `law`: energy (T-gamma) or archard, with `hardness` (MPa) and "
+      "`volume_per_distance` (mm3/mm); of a wheel on a rail also `wheel_depth_per_km`, `wheel_area_per_km`, "
+      "`rail_depth_per_million_axles`, `rail_area_per_million_axles`, `rail_depth_per_mgt`, "
+      "`rail_area_per_mgt` (mm, "
+      "mm2), `axle_load` (t, of two such wheels) and `T_gamma` (N). `law`: energy (T-gamma) or archard, with "
+      "`hardness` (MPa) and "
       "rolling `speed` (mm/s) and `map`: borders of sliding speed (mm/s), borders of pressure (MPa), and k "
       "as rows over pressure of columns over speed; None: the map of KTH Stockholm. Raises InputError for "
       "what does not roll steadily with friction.");

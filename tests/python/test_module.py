@@ -340,6 +340,12 @@ sweep.position.lateral = { from = 0, to = 2, count = 1000 }
         self.assertAlmostEqual(sum(p["T_gamma"] for p in fatigue["patches"]) / r.T_gamma, 1, delta=1e-9)
         self.assertEqual(fatigue["FI"].shape, r.p_n.shape)
         self.assertNotIn("von_mises", fatigue)
+        self.assertNotIn("axle_load", wear)  # a patch has no wheel
+        solved = bem_contact.solve(CORNER, model="halfspace")
+        rates = bem_contact.wear(solved)
+        self.assertAlmostEqual(rates["axle_load"], 2 * solved.Fz / 9806.65)
+        self.assertAlmostEqual(rates["rail_area_per_mgt"] * rates["axle_load"] / rates["rail_area_per_million_axles"], 1)
+        self.assertAlmostEqual(rates["rail_depth_per_million_axles"] / rates["depth"].max(), 1e6, delta=1)
         kth = ([200, 700], [2400], [[5.5e-4, 35e-4, 5.5e-4], [350e-4, 350e-4, 350e-4]])
         by_map = bem_contact.wear(r, "archard", map=kth)
         np.testing.assert_array_equal(by_map["depth"], bem_contact.wear(r, "archard")["depth"])

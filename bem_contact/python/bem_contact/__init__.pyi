@@ -292,7 +292,8 @@ def wear(
     speed: float = 3e4,
     map: tuple[_List[float], _List[float], _List[_List[float]]] | None = None,
 ) -> dict[str, Any]:
-    """What a result wears away: depth by passage and revolution over s, sliding distance, volume by rolled distance."""
+    """What a result wears away: depth by passage and revolution over s, sliding distance, volume by rolled distance; of a wheel
+    on a rail also by km, million axles and MGT."""
 
 @overload
 def fatigue(
