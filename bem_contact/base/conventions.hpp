@@ -113,3 +113,11 @@ inline Point2 normal_of(double delta) {
 }
 
 } // namespace bem_contact
+
+// The order of displacements and turns, said once. A wheelset: displaced along y, rolled about the forward
+// axis through its centre (right side down), yawed about the vertical through its centre (front to the
+// right). A wheel of a flexible wheelset is moved from where the rigid wheelset has it, before that yaw:
+// displaced along y and z, rolled about the forward axis through its own centre (that of its tape circle),
+// yawed about the vertical through that centre. So its displacements, and their rates, are along the yawed
+// wheelset's axes. Curves: all is relative to the track at the wheelset, whose x is the tangent of its centre
+// line there.

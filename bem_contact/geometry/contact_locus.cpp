@@ -11,29 +11,21 @@ namespace {
 /// rad. Turn of the tangent between two nodes of the locus at an edge: 0.1 mm of an edge rounded with 20 mm.
 constexpr double edge_step = 0.005;
 
-/// sin and cos of theta at which the normal has no component along x; nothing where there is none.
-struct Meridian {
-  double sine = 0, cosine = 1;
-};
-
-std::optional<Meridian> meridian(const WheelFrame& frame, Point2 tangent) {
-  const double n_y = tangent.z, n_r = -tangent.y; // outward: into the body is (-tangent.z, tangent.y)
-  const double c = -n_y * frame.axle[0];
-  if (c == 0 && frame.down[0] == 0)
-    return Meridian{};
-  const double a = n_r * frame.forward[0], b = n_r * frame.down[0];
-  const double size = a * a + b * b, under = size - c * c;
-  if (!(under > 0) || !(n_r > 0))
-    return std::nullopt;
-  const double root = std::sqrt(under);
-  return Meridian{(a * c - b * root) / size, (b * c + a * root) / size};
+/// The y component of a x b.
+double across(const Vector3& a, const Vector3& b) {
+  return a[2] * b[0] - a[0] * b[2];
 }
 
 } // namespace
 
 ContactLocus::ContactLocus(const WheelOnRail& pair)
-    : wheel_(pair.wheel), radius_(pair.wheel_radius), frame_(pair.wheel_frame()) {
+    : wheel_(pair.wheel), radius_(pair.wheel_radius), frame_(pair.wheel_frame()), roller_(pair.roller) {
+  trace();
+}
+
+void ContactLocus::trace() {
   const auto table = wheel_.nodes();
+  nodes_.clear();
   nodes_.reserve(table.size() + 16);
   bool joined = false;
   const auto add = [&](int k, Point2 tangent) {
@@ -57,20 +49,64 @@ ContactLocus::ContactLocus(const WheelOnRail& pair)
 
 void ContactLocus::lower(double by) {
   frame_.centre[2] += by;
+  if (roller_)
+    return trace(); // it slides round the wheel
   for (Node& node : nodes_)
     node.position.z += by;
 }
 
-std::optional<ContactLocus::Point> ContactLocus::point(double s, Point2 position, Point2 tangent) const {
-  const double r = radius_ + position.z;
-  const auto m = meridian(frame_, tangent);
-  if (!m || r <= 0)
+std::optional<ContactLocus::Meridian> ContactLocus::meridian(Point2 position, Point2 tangent) const {
+  const double n_y = tangent.z, n_r = -tangent.y; // outward: into the body is (-tangent.z, tangent.y)
+  double a = n_r * frame_.forward[0], b = n_r * frame_.down[0], c = -n_y * frame_.axle[0];
+  if (roller_) {
+    // axle x down = forward, axle x forward = -down
+    const Vector3 arm{frame_.centre[0], frame_.centre[1], frame_.centre[2] - roller_->axis};
+    const double length = -arm[2], turn = position.y * n_r - (radius_ + position.z) * n_y;
+    a = -(n_r * across(arm, frame_.forward) - turn * frame_.down[1]) / length;
+    b = -(n_r * across(arm, frame_.down) + turn * frame_.forward[1]) / length;
+    c = n_y * across(arm, frame_.axle) / length;
+  } else if (c == 0 && frame_.down[0] == 0)
+    return Meridian{};
+  const double size = a * a + b * b, under = size - c * c;
+  if (!(under > 0) || !(n_r > 0))
     return std::nullopt;
+  const double root = std::sqrt(under);
+  return Meridian{(a * c - b * root) / size, (b * c + a * root) / size};
+}
+
+Vector3 ContactLocus::on_circle(Point2 position, const Meridian& m) const {
+  const double r = radius_ + position.z;
   const auto along = [&](int i) {
     return frame_.centre[i] + position.y * frame_.axle[i] +
-           r * (m->cosine * frame_.down[i] + m->sine * frame_.forward[i]);
+           r * (m.cosine * frame_.down[i] + m.sine * frame_.forward[i]);
   };
-  return Point{s, along(0), {along(1), along(2)}};
+  return {along(0), along(1), along(2)};
+}
+
+std::optional<ContactLocus::Point> ContactLocus::point(double s, Point2 position, Point2 tangent) const {
+  const auto m = meridian(position, tangent);
+  if (!m || radius_ + position.z <= 0)
+    return std::nullopt;
+  Vector3 p = on_circle(position, *m);
+  if (roller_)
+    p = roller_->unrolled(p);
+  return Point{s, p[0], {p[1], p[2]}};
+}
+
+ContactLocus::Surface ContactLocus::surface(Point2 position, Point2 tangent, const Meridian& m) const {
+  const auto both = [&](double along_axle, double away) {
+    const auto of = [&](int i) {
+      return along_axle * frame_.axle[i] + away * (m.cosine * frame_.down[i] + m.sine * frame_.forward[i]);
+    };
+    return Vector3{of(0), of(1), of(2)};
+  };
+  const Vector3 profile = both(tangent.y, tangent.z), normal = both(tangent.z, -tangent.y);
+  if (!roller_)
+    return {profile[0], normal, 0};
+  const Vector3 p = roller_->unrolled(on_circle(position, m));
+  const double phi = roller_->angle(p[0], {p[1], p[2]});
+  const Vector3 seen = Roller::seen(normal, phi);
+  return {Roller::seen(profile, phi)[0], seen, seen[2] / roller_->radius({p[1], p[2]})}; // Meusnier
 }
 
 ContactLocus::Point ContactLocus::between(int k, double t) const {
@@ -92,31 +128,28 @@ double ContactLocus::curvature_along_x(int k, double t) const {
   if (a.s == b.s)
     return 0;
   const TabulatedProfile::Point q = wheel_.between(a.interval, t);
-  const auto m = meridian(frame_, q.tangent);
+  const auto m = meridian(q.position, q.tangent);
   if (!m)
     return 0;
   // Euler's formula with the principal directions, along the profile and around the axle.
   const auto table = wheel_.nodes();
   const double profile = angle_from_to(table[a.interval].after, table[a.interval + 1].before) / (b.s - a.s);
   const double around = -q.tangent.y / (radius_ + q.position.z);
-  const double share =
-      q.tangent.y * frame_.axle[0] + q.tangent.z * (m->cosine * frame_.down[0] + m->sine * frame_.forward[0]);
-  return profile * share * share + around * (1 - share * share);
+  const Surface there = surface(q.position, q.tangent, *m);
+  const double share = there.along_profile;
+  return profile * share * share + around * (1 - share * share) + there.rail;
 }
 
 std::optional<CurvePoint> ContactLocus::at(double s) const {
   CurvePoint p = wheel_.at(s);
   const Point2 tangent = tangent_of(p.delta);
   const auto seen = point(s, p.position, tangent);
-  const auto m = meridian(frame_, tangent);
+  const auto m = meridian(p.position, tangent);
   if (!seen || !m)
     return std::nullopt;
-  const auto normal = [&](int i) {
-    return tangent.z * frame_.axle[i] -
-           tangent.y * (m->cosine * frame_.down[i] + m->sine * frame_.forward[i]);
-  };
+  const Vector3 normal = surface(p.position, tangent, *m).normal;
   // On the branch of the profile's own inclination.
-  const double near = p.delta + std::asin(frame_.axle[2]), delta = std::atan2(normal(1), -normal(2));
+  const double near = p.delta + std::asin(frame_.axle[2]), delta = std::atan2(normal[1], -normal[2]);
   p.position = seen->position;
   p.delta = delta + 2 * std::numbers::pi * std::round((near - delta) / (2 * std::numbers::pi));
   return p;

@@ -16,7 +16,10 @@ namespace bem_contact {
 ///     n_r (cos theta down_x + sin theta forward_x) + n_y axle_x = 0,
 /// with the unit vectors of WheelFrame and the profile's outward normal: n_y along the axle, n_r away from
 /// it. No angle does that where the profile is steeper than the yaw allows; there is no locus at such an s.
-/// At an edge (a convex kink of the profile) the normal turns while s stays.
+/// On a roller the normal must lie in the half-plane through the roller's axis. With P the point, n the
+/// normal and A a point of the axis that is y . ((P - A) x n) = 0, which is of the same form: a sin theta + b
+/// cos theta = c. The locus is unrolled (roller.hpp), and again it is a curve against the profile of the
+/// rail. At an edge (a convex kink of the profile) the normal turns while s stays.
 class ContactLocus {
 public:
   explicit ContactLocus(const WheelOnRail& pair);
@@ -37,7 +40,8 @@ public:
 
   /// Between nodes k and k + 1, 0 <= t <= 1 (joined ones).
   Point between(int k, double t) const;
-  /// Curvature of the wheel along x there, positive where it is convex (1 / radius on the tread), 1/mm.
+  /// Curvature of the wheel along x there, positive where it is convex (1 / radius on the tread), with that
+  /// of a roller, 1/mm.
   double curvature_along_x(int k, double t) const;
   /// At an arc length of the wheel's profile, with the inclination of the surface in the track frame (near pi
   /// on the tread) and the curvature of the profile; nothing where there is no locus.
@@ -47,11 +51,26 @@ public:
   void lower(double by); ///< with the wheel, mm
 
 private:
+  /// Where on its circle a point of the profile has the normal that the rail can meet.
+  struct Meridian {
+    double sine = 0, cosine = 1; ///< of theta
+  };
+  std::optional<Meridian> meridian(Point2 position, Point2 tangent) const;
+  Vector3 on_circle(Point2 position, const Meridian& m) const; ///< that point, in space
+  /// Of the wheel's normal there, as the half-plane of the roller sees it (a straight rail: the track).
+  struct Surface {
+    double along_profile = 0; ///< x component of the direction along the profile
+    Vector3 normal{};
+    double rail = 0; ///< curvature of the rail along x under it, 1/mm
+  };
+  Surface surface(Point2 position, Point2 tangent, const Meridian& m) const;
   std::optional<Point> point(double s, Point2 position, Point2 tangent) const;
+  void trace();
 
   TabulatedProfile wheel_;
   double radius_ = 0;
   WheelFrame frame_;
+  std::optional<Roller> roller_;
   std::vector<Node> nodes_;
 };
 

@@ -20,6 +20,12 @@ namespace {
 /// 1 (node intervals, 0.1 mm each). How closely the end of a flat stretch is found.
 constexpr double flat_end_width = 1e-6;
 
+/// mm. On a roller, where touch points move as the wheel is lowered, it is lowered until it moves by less.
+/// Each step leaves some 1e-4 of the one before.
+constexpr double roller_touch = 1e-10;
+/// 1. Such steps at most: four are usual. A bound.
+constexpr int roller_touch_steps = 20;
+
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 /// Indices in (from, to) of local minima that a barrier separates from each other and from lower ends, the
@@ -184,16 +190,20 @@ std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair) {
 }
 
 std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair, ContactLocus& locus) {
-  std::vector<TouchPoint> points = touch_points(pair, locus);
-  if (points.empty())
-    throw InputError("The wheel has no touch point on the rail", "the vertical distance has no minimum",
-                     "Check the profiles.");
-  const double drop = points.front().distance;
-  pair.wheel_pose.origin.z += drop;
-  locus.lower(drop);
-  for (TouchPoint& p : points)
-    p.distance -= drop;
-  return points;
+  // On a straight rail the first step is exact.
+  for (int step = 1;; ++step) {
+    std::vector<TouchPoint> points = touch_points(pair, locus);
+    if (points.empty())
+      throw InputError("The wheel has no touch point on the rail", "the vertical distance has no minimum",
+                       "Check the profiles.");
+    const double drop = points.front().distance;
+    pair.wheel_pose.origin.z += drop;
+    locus.lower(drop);
+    for (TouchPoint& p : points)
+      p.distance -= drop;
+    if (!pair.roller || std::abs(drop) < roller_touch || step == roller_touch_steps)
+      return points;
+  }
 }
 
 } // namespace bem_contact

@@ -7,7 +7,7 @@
 
 namespace bem_contact {
 
-/// One local minimum of the vertical distance of wheel and rail.
+/// One local minimum of the vertical distance of wheel and rail (on a roller: unrolled, roller.hpp).
 struct TouchPoint {
   double rail_s = 0, wheel_s = 0; ///< arc length on either profile, mm
   double x = 0;                   ///< mm
@@ -22,9 +22,9 @@ struct TouchPoint {
 /// Moves the wheel along z until it just touches; returns the touch points then (the first has distance 0).
 /// They are all local minima of the vertical distance between the surfaces over the track's (x, y), smallest
 /// first: those of the contact locus over the profile of the rail. Where a vertical line meets the rail
-/// twice, the upper point counts. Throws InputError when no part of the wheel is above the rail, when the
-/// smallest distance is at the end of a profile or of the locus (a yaw too large for so steep a flange), and
-/// if there is no touch point.
+/// twice, the upper point counts. On a roller the distance is towards its axis, and the rest unrolled. Throws
+/// InputError when no part of the wheel is above the rail, when the smallest distance is at the end of a
+/// profile or of the locus (a yaw too large for so steep a flange), and if there is no touch point.
 std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair);
 /// Does the same with the locus of the pair, which is lowered with the wheel.
 std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair, ContactLocus& locus);

@@ -29,6 +29,15 @@ void require_axle_above(const TabulatedProfile& wheel, double wheel_radius) {
           "Give the nominal radius, at the tape circle, in mm.");
 }
 
+void require_axis_below(const WheelOnRail& pair) {
+  for (const TabulatedProfile::Node& node : pair.rail.nodes())
+    if (const Point2 p = pair.rail_pose.to_track(node.position); !(pair.roller->radius(p) > 0))
+      throw InputError(fmt::format("The rail '{}' reaches beyond the axis of its roller", pair.rail.name()),
+                       fmt::format("it goes down to z = {:.4g} mm, and the axis is at z = {:.4g} mm", p.z,
+                                   pair.roller->axis),
+                       "Give the radius of the roller's surface, rail.roller_radius, in mm.");
+}
+
 /// The rail's head as it is inclined, about the origin of its section.
 class Head {
 public:
@@ -107,14 +116,19 @@ CurvePoint WheelOnRail::rail_at(double s) const {
 }
 
 WheelFrame WheelOnRail::wheel_frame() const {
-  const double c = std::cos(yaw), s = std::sin(yaw);
   const double cosine = std::cos(wheel_pose.angle), sine = std::sin(wheel_pose.angle);
   const Point2 centre = wheel_pose.to_track({0, -wheel_radius});
   const double arm = centre.y - centre_y;
-  return {{-s * arm, centre_y + c * arm, centre.z},
-          {c, s, 0},
-          {-s * cosine, c * cosine, sine},
-          {s * sine, -c * sine, cosine}};
+  const Vector3 yawed{-std::sin(yaw) * arm, centre_y + std::cos(yaw) * arm, centre.z};
+  const double c = std::cos(yaw + deviation.yaw), s = std::sin(yaw + deviation.yaw);
+  return {yawed, {c, s, 0}, {-s * cosine, c * cosine, sine}, {s * sine, -c * sine, cosine}};
+}
+
+Vector3 WheelOnRail::wheelset_centre() const {
+  const double roll = wheel_pose.angle - deviation.roll; // of the rigid wheelset
+  const Point2 rigid =
+      wheel_pose.to_track({0, -wheel_radius}) - Point2{deviation.lateral, deviation.vertical};
+  return {0, centre_y, rigid.z + (centre_y - rigid.y) * std::tan(roll)};
 }
 
 WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, TabulatedProfile wheel) {
@@ -137,6 +151,17 @@ WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, Tabul
   const Point2 tape = position.wheel_origin.value_or(by_flange) + Point2{0, position.wheel_radius};
   pair.wheel_pose.origin =
       Point2{pair.centre_y, -position.wheel_radius} + turned(tape, pair.wheel_pose.angle);
+  if (position.roller_radius != 0) {
+    pair.roller = Roller{position.roller_radius + position.rail_vertical};
+    require_axis_below(pair);
+  }
+  const WheelDeviation& d = position.deviation;
+  pair.deviation = {side * d.lateral, d.vertical, side * d.roll, side * d.yaw};
+  const Point2 tape_radius{0, -position.wheel_radius};
+  const Point2 centre = pair.wheel_pose.to_track(tape_radius) + Point2{pair.deviation.lateral, d.vertical};
+  pair.wheel_pose.angle += pair.deviation.roll;
+  if (d.roll != 0 || d.lateral != 0 || d.vertical != 0)
+    pair.wheel_pose.origin = centre - turned(tape_radius, pair.wheel_pose.angle);
   return pair;
 }
 

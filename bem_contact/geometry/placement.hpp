@@ -1,14 +1,23 @@
 #pragma once
 
+#include "bem_contact/geometry/roller.hpp"
 #include "bem_contact/geometry/tabulated_profile.hpp"
 
-#include <array>
 #include <optional>
 
 namespace bem_contact {
 
 /// Says on which side of the track the wheel is, seen in the rolling direction.
 enum class WheelSide { right, left };
+
+/// Where a wheel of a flexible wheelset is, seen from where the rigid wheelset has it (base/conventions.hpp
+/// says the order).
+struct WheelDeviation {
+  double lateral = 0, vertical = 0; ///< mm, to the right and down
+  double roll = 0, yaw = 0;         ///< rad, right side down and front to the right, about its own centre
+
+  bool operator==(const WheelDeviation&) const = default;
+};
 
 /// Where a wheelset stands on its track, and where the rail under one of its wheels lies.
 struct WheelsetPosition {
@@ -29,6 +38,10 @@ struct WheelsetPosition {
   /// instead of back_to_back; z below the height at which a wheel of wheel_radius has its tape circle.
   std::optional<Point2> rail_origin = {};
   std::optional<Point2> wheel_origin = {}; ///< as rail_origin
+  /// Of a roller rig, mm: the axis of the rail lies so far below z = 0 (and moves down with rail_vertical);
+  /// 0: a straight rail.
+  double roller_radius = 0;
+  WheelDeviation deviation = {}; ///< of this wheel, in a flexible wheelset
 
   bool operator==(const WheelsetPosition&) const = default;
 };
@@ -41,15 +54,6 @@ struct Pose {
 
   Point2 to_track(Point2 section) const; ///< a point of the section in the track frame, mm
   Point2 to_section(Point2 track) const; ///< and back
-};
-
-/// A point or vector of the track frame (x, y, z), mm.
-using Vector3 = std::array<double, 3>;
-
-/// The wheel as it stands: the centre of its tape circle on the axle, and three unit vectors that are the
-/// track's x, y, z where it is neither rolled nor yawed.
-struct WheelFrame {
-  Vector3 centre{}, forward{}, axle{}, down{}; ///< mm; unit vectors
 };
 
 /// A wheel on a rail. Track frame: x from the wheelset's centre, y from the track's centre line towards the
@@ -66,23 +70,29 @@ struct WheelFrame {
 /// about the origin of its section. Wheel: the wheelset's centre is displaced by `lateral`; the wheelset is
 /// rolled about it (right side down), then yawed about the vertical through it (right-hand side backwards).
 /// The tape circle is at back_to_back / 2 + 70 mm from it. The wheel's surface is the profile turned about
-/// the axle, r = wheel_radius + z of its section. WheelsetPosition::rail_origin and wheel_origin put the
-/// origins of the sections elsewhere.
+/// the axle, r = wheel_radius + z of its section. In a flexible wheelset this wheel is then moved by its
+/// WheelDeviation. On a roller rig the rail is a Roller, and all places are unrolled ones.
+/// WheelsetPosition::rail_origin and wheel_origin put the origins of the sections elsewhere.
 struct WheelOnRail {
-  TabulatedProfile rail, wheel; ///< in their own section frames
-  Pose rail_pose, wheel_pose;   ///< wheel_pose is that before the yaw; rail_pose is final
-  double wheel_radius = 460;    ///< nominal, at the tape circle, mm
-  double yaw = 0;               ///< rad, towards +y in front
-  double centre_y = 0;          ///< the vertical about which it is yawed, mm
+  TabulatedProfile rail, wheel;      ///< in their own section frames
+  Pose rail_pose, wheel_pose;        ///< wheel_pose is that before the yaw; rail_pose is final
+  double wheel_radius = 460;         ///< nominal, at the tape circle, mm
+  double yaw = 0;                    ///< rad, towards +y in front
+  double centre_y = 0;               ///< the vertical about which it is yawed, mm
+  std::optional<Roller> roller = {}; ///< nothing: the rail is straight
+  WheelDeviation deviation = {};     ///< in the frame of its side; all but its yaw are in wheel_pose already
 
   /// A point of the rail's profile at its own arc length, in the track frame; delta too, curvature as it is.
   CurvePoint rail_at(double s) const;
   WheelFrame wheel_frame() const; ///< the wheel as it is yawed and rolled
+  Vector3
+  wheelset_centre() const; ///< where the vertical about which the wheelset is yawed meets its axle, mm
 };
 
 /// Places both. The wheelset's centre is at z = -wheel_radius, so that the wheel may hang above the rail or
 /// cut into it: see lower_to_touch().
-/// Throws InputError where a rail that is placed by its gauge face has none at the given height.
+/// Throws InputError where a rail that is placed by its gauge face has none at the given height, and where a
+/// roller's axis is not below all of the rail.
 WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, TabulatedProfile wheel);
 
 } // namespace bem_contact

@@ -8,8 +8,8 @@ Vector3 cross(const Vector3& a, const Vector3& r) {
   return {a[1] * r[2] - a[2] * r[1], a[2] * r[0] - a[0] * r[2], a[0] * r[1] - a[1] * r[0]};
 }
 
-Vector3 from(const Vector3& centre, double x, Point2 p) {
-  return {x - centre[0], p.y - centre[1], p.z - centre[2]};
+Vector3 between(const Vector3& centre, const Vector3& p) {
+  return {p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]};
 }
 
 /// `of(row, x)`: w_x and w_s of one element.
@@ -27,34 +27,129 @@ RigidSlip fields(std::span<const ContactRow> rows, std::span<const double> x, co
   return slip;
 }
 
+/// How fast both surfaces move at the reference point, over V, and over the mean of both.
+struct SurfaceSpeeds {
+  double radius = 0;            ///< of the wheel there, mm
+  double roller_radius = 0;     ///< of the roller there, mm
+  double wheel = 1, roller = 1; ///< over V
+  double mean() const { return 0.5 * (wheel + roller); }
+};
+
+SurfaceSpeeds speeds_of(const WheelOnRail& pair, const ReferencePoint& reference, const Creepage& creepage) {
+  SurfaceSpeeds out{radius_at(pair, reference.x, reference.position),
+                    pair.roller->radius(reference.position)};
+  if (creepage.rolling_radius > 0)
+    out.wheel = out.radius / creepage.rolling_radius;
+  if (creepage.roller_speed > 0)
+    out.roller = creepage.roller_speed * out.roller_radius;
+  return out;
+}
+
+/// What the wheel does, over V: its turning about its axle, and all else that moves it.
+class WheelMotion {
+public:
+  WheelMotion(const WheelOnRail& pair, const Creepage& creepage)
+      : frame_(pair.wheel_frame()), centre_(pair.wheelset_centre()),
+        velocity_(creepage.velocity), rotation_{creepage.roll * frame_.forward[0],
+                                                creepage.roll * frame_.forward[1], creepage.yaw},
+        own_(creepage.wheel_velocity != Vector3{} || creepage.wheel_rates != Vector3{}) {
+    if (!own_)
+      return;
+    const double c = std::cos(pair.yaw), s = std::sin(pair.yaw);
+    const auto& [forward, right, down] = creepage.wheel_velocity;
+    own_velocity_ = {c * forward - s * right, s * forward + c * right, down};
+    const auto& [roll, pitch, yaw] = creepage.wheel_rates;
+    for (int i = 0; i < 3; ++i)
+      own_rotation_[i] = roll * frame_.forward[i] - pitch * frame_.axle[i] + (i == 2 ? yaw : 0.0);
+  }
+
+  /// The velocity of a point of the wheel that turns by `turning` per rolled distance, rad/mm.
+  Vector3 at(const Vector3& p, double turning) const {
+    const Vector3 turned = cross(frame_.axle, between(frame_.centre, p)),
+                  rotated = cross(rotation_, between(centre_, p));
+    Vector3 out;
+    for (int i = 0; i < 3; ++i)
+      out[i] = velocity_[i] + rotated[i] - turning * turned[i];
+    if (!own_)
+      return out;
+    const Vector3 own = cross(own_rotation_, between(frame_.centre, p));
+    for (int i = 0; i < 3; ++i)
+      out[i] += own_velocity_[i] + own[i];
+    return out;
+  }
+
+private:
+  WheelFrame frame_;
+  Vector3 centre_, velocity_, rotation_;
+  bool own_;
+  Vector3 own_velocity_{}, own_rotation_{};
+};
+
+/// Adds eta along the tangent and phi about the normal at the reference point to a velocity, and takes what
+/// lies in the row's plane: phi e_n x (r - reference), with e_n x e_x = e_s and e_n x e_s = -e_x at the
+/// reference point.
+struct AddedCreepage {
+  const ReferencePoint& reference;
+  const Creepage& creepage;
+  Point2 tangent = tangent_of(reference.delta);
+
+  std::pair<double, double> on(const ContactRow& row, double x, const Vector3& v) const {
+    const double s = dot(row.position - reference.position, tangent);
+    const Point2 added = (creepage.eta + creepage.phi * (x - reference.x)) * tangent;
+    return {v[0] - creepage.phi * s + creepage.slip_x,
+            dot(added + Point2{v[1], v[2]}, tangent_of(row.delta))};
+  }
+};
+
+RigidSlip slip_on_roller(const WheelOnRail& pair, const ReferencePoint& reference, const Creepage& creepage,
+                         std::span<const ContactRow> rows, std::span<const double> x) {
+  const SurfaceSpeeds speeds = speeds_of(pair, reference, creepage);
+  const double mean = speeds.mean();
+  const double xi = (speeds.roller - speeds.wheel) / mean + creepage.xi * speeds.wheel;
+  const double turning = (1 - 0.5 * xi) / speeds.radius, rolling = (1 + 0.5 * xi) / speeds.roller_radius;
+  const WheelMotion wheel(pair, creepage);
+  const AddedCreepage added{reference, creepage};
+  return fields(rows, x, [&](const ContactRow& row, double at) {
+    const Vector3 in_space = wheel.at(pair.roller->in_space(at, row.position), turning * mean);
+    Vector3 v = Roller::seen(in_space, pair.roller->angle(at, row.position));
+    for (double& component : v)
+      component /= mean;
+    v[0] += rolling * pair.roller->radius(row.position);
+    return added.on(row, at, v);
+  });
+}
+
 } // namespace
 
+double radius_at(const WheelFrame& frame, const std::optional<Roller>& roller, double x, Point2 point) {
+  if (!roller)
+    return cross(frame.axle, between(frame.centre, {x, point.y, point.z}))[0];
+  const Vector3 turned = cross(frame.axle, between(frame.centre, roller->in_space(x, point)));
+  return Roller::seen(turned, roller->angle(x, point))[0];
+}
+
 double radius_at(const WheelOnRail& pair, double x, Point2 point) {
-  const WheelFrame frame = pair.wheel_frame();
-  return cross(frame.axle, from(frame.centre, x, point))[0];
+  return radius_at(pair.wheel_frame(), pair.roller, x, point);
+}
+
+double mean_surface_speed(const WheelOnRail& pair, const ReferencePoint& reference,
+                          const Creepage& creepage) {
+  return pair.roller ? speeds_of(pair, reference, creepage).mean() : 1;
 }
 
 RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, const Creepage& creepage,
                      std::span<const ContactRow> rows, std::span<const double> x) {
-  const WheelFrame frame = pair.wheel_frame();
-  // The vertical about which the wheelset is yawed meets its axle at x = 0.
-  const double arm = (pair.centre_y - frame.centre[1]) / frame.axle[1];
-  const Vector3 centre{0, pair.centre_y, frame.centre[2] + arm * frame.axle[2]};
-  const Vector3 rotation{creepage.roll * frame.forward[0], creepage.roll * frame.forward[1], creepage.yaw};
-  const auto around_axle = [&](double at, Point2 p) { return cross(frame.axle, from(frame.centre, at, p)); };
+  if (pair.roller)
+    return slip_on_roller(pair, reference, creepage, rows, x);
   const double radius = creepage.rolling_radius > 0 ? creepage.rolling_radius
                                                     : radius_at(pair, reference.x, reference.position);
   const double turning = (1 - creepage.xi) / radius; // 1 / R_roll
-  const Point2 tangent = tangent_of(reference.delta);
+  const WheelMotion wheel(pair, creepage);
+  const AddedCreepage added{reference, creepage};
   return fields(rows, x, [&](const ContactRow& row, double at) {
-    const double s = dot(row.position - reference.position, tangent);
-    const Vector3 turned = around_axle(at, row.position);
-    // phi e_n x (r - reference), with e_n x e_x = e_s and e_n x e_s = -e_x at the reference point.
-    const Point2 added = (creepage.eta + creepage.phi * (at - reference.x)) * tangent;
-    const Vector3 rotated = cross(rotation, from(centre, at, row.position));
-    const auto own = [&](int k) { return creepage.velocity[k] + rotated[k] - turning * turned[k]; };
-    return std::pair(1 + own(0) - creepage.phi * s + creepage.slip_x,
-                     dot(added + Point2{own(1), own(2)}, tangent_of(row.delta)));
+    Vector3 v = wheel.at({at, row.position.y, row.position.z}, turning);
+    v[0] += 1;
+    return added.on(row, at, v);
   });
 }
 

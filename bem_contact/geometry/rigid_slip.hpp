@@ -25,6 +25,12 @@ struct Creepage {
   double slip_x = 0;  ///< of a rolling wheel: added to w_x of all elements, as solve() finds it for force_x
   Vector3 velocity{}; ///< of the wheelset's centre besides V, over V, track frame
   double roll = 0, yaw = 0; ///< rates over V: about the wheelset's forward axis and the vertical, rad/mm
+  double roller_speed =
+      0; ///< of a roller, over V, rad/mm; 0: its surface moves with V at the reference point
+  /// Of a wheel in a flexible wheelset, over V, besides what the wheelset does: velocity of its centre
+  /// forwards, to the right and down along the wheelset's axes; and rates about its own forward axis, its
+  /// axle (positive as it rolls forwards) and the vertical, rad/mm.
+  Vector3 wheel_velocity{}, wheel_rates{};
 };
 
 /// Rigid slip w of elements: velocity of the wheel's surface over the rail's, over the rolling speed V, in
@@ -42,13 +48,22 @@ struct RigidSlip {
 /// left to the approach. On a rail at inclination delta that is, to first order and with yaw psi, w_x = 1 -
 /// r/R_roll, w_s = -psi cos(delta) + sin(delta) x/R_roll: a yawed wheel slides to the left, the geometric
 /// spin is sin(delta)/R, negative at the gauge corner of a right-hand rail, and differs from row to row.
-/// `rows`, `x`: middles of the elements, mm.
+///
+/// On a roller nothing moves forwards. The roller's surface moves back with its own speed in place of e_x,
+/// and all is over the mean V' of both surface speeds at the reference point (mean_surface_speed()). There
+/// w_x is the difference of these speeds over V', plus xi as on a track; to first order in creepage a large
+/// roller is a track. `rows`, `x`: middles of the elements, mm.
 RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, const Creepage& creepage,
                      std::span<const ContactRow> rows, std::span<const double> x);
+
+/// The mean of the speeds of both surfaces at the reference point, over V; 1 on a track.
+double mean_surface_speed(const WheelOnRail& pair, const ReferencePoint& reference, const Creepage& creepage);
 
 /// How far a point of the wheel lies from its axle across the rolling direction, mm: a wheel that rolls with
 /// this radius does not slide along x there. `x`, `point`: in the track frame, mm.
 double radius_at(const WheelOnRail& pair, double x, Point2 point);
+/// The same of a frame that is known: `roller` as WheelOnRail has it.
+double radius_at(const WheelFrame& frame, const std::optional<Roller>& roller, double x, Point2 point);
 
 /// Returns the rigid shift of a wheel that does not roll, mm: w_x = xi - phi s, w_s = (eta + phi x) cos(delta
 /// - delta of the reference point), xi, eta in mm and phi in rad, s along the tangent there, s and x from

@@ -270,14 +270,22 @@ std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const
   std::vector<int> start(rows.size());
   for (std::size_t is = 0; is < rows.size(); ++is)
     start[is] = pair.wheel.interval(on_locus[is].wheel_s, first) - first;
+  const auto measure = [&](const WheelSection& section, std::size_t is, std::size_t ix) {
+    if (const auto found = cross(section, Ray(rows[is]), start[is])) {
+      gap[is * x.size() + ix] = found->distance;
+      start[is] = found->k;
+    }
+  };
   for (std::size_t ix = 0; ix < x.size(); ++ix) {
     const WheelSection section(pair, frame, x[ix], first, last);
     for (std::size_t is = 0; is < rows.size(); ++is) {
       if (!on_locus[is].hit())
         continue;
-      if (const auto found = cross(section, Ray(rows[is]), start[is])) {
-        gap[is * x.size() + ix] = found->distance;
-        start[is] = found->k;
+      if (!pair.roller) {
+        measure(section, is, ix);
+      } else { // rows of other radii have the same x in other half-planes
+        const double phi = pair.roller->angle(x[ix], rows[is].position);
+        measure(WheelSection(pair, pair.roller->seen(frame, phi), 0, first, last), is, ix);
       }
     }
   }

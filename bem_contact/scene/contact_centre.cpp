@@ -1,5 +1,6 @@
 #include "bem_contact/scene/contact_centre.hpp"
 
+#include "bem_contact/geometry/rigid_slip.hpp"
 #include "bem_contact/geometry/settings.hpp"
 #include "bem_contact/scene/approach_search.hpp"
 
@@ -18,7 +19,8 @@ double foundation(const RailSlice& c, double q) {
 } // namespace
 
 std::optional<ContactCentre> contact_centre(std::span<const RailSlice> slices, const WheelFrame& frame,
-                                            double compliance, const ContactLoad& load) {
+                                            const std::optional<Roller>& roller, double compliance,
+                                            const ContactLoad& load) {
   const auto vertical = [&](double q) {
     double sum = 0;
     for (const RailSlice& c : slices)
@@ -31,11 +33,10 @@ std::optional<ContactCentre> contact_centre(std::span<const RailSlice> slices, c
   ContactCentre centre;
   for (const RailSlice& c : slices) {
     const double share = foundation(c, q);
-    const Vector3 arm{c.x - frame.centre[0], c.position.y - frame.centre[1], c.position.z - frame.centre[2]};
     sum += share;
     centre.s += share * c.s;
     centre.x += share * c.x;
-    centre.rolling_radius += share * (frame.axle[1] * arm[2] - frame.axle[2] * arm[1]); // (a x arm) along x
+    centre.rolling_radius += share * radius_at(frame, roller, c.x, c.position);
   }
   if (!(sum > 0))
     return std::nullopt;

@@ -26,6 +26,7 @@ struct ContactCentre {
 /// touch it moves continuously when a second area takes over the load, and so does all that refers to it.
 /// Nothing where the bodies do not touch.
 std::optional<ContactCentre> contact_centre(std::span<const RailSlice> slices, const WheelFrame& frame,
-                                            double compliance, const ContactLoad& load);
+                                            const std::optional<Roller>& roller, double compliance,
+                                            const ContactLoad& load);
 
 } // namespace bem_contact

@@ -59,8 +59,9 @@ ContactSetup set_up_touching(const SceneFile& scene, LoweredWheel bodies, const 
                              const PlacementBeforeContact& origin) {
   const WheelOnRail& pair = bodies.pair;
   std::vector<RailSlice> slices = slice_rail(pair, bodies.locus);
-  const std::optional<ContactCentre> centre = contact_centre(
-      slices, bodies.locus.frame(), contact_compliance(scene.rail.material, scene.wheel.material), load);
+  const std::optional<ContactCentre> centre =
+      contact_centre(slices, bodies.locus.frame(), pair.roller,
+                     contact_compliance(scene.rail.material, scene.wheel.material), load);
   const TouchPoint& deepest = bodies.touch.front();
   ReferencePoint reference{deepest.position, deepest.rail_s, deepest.delta, deepest.x};
   double free_radius = pair.wheel_radius + pair.wheel.at(deepest.wheel_s).position.z;
@@ -71,6 +72,7 @@ ContactSetup set_up_touching(const SceneFile& scene, LoweredWheel bodies, const 
   }
   Motion motion = read_motion(scene);
   motion.creepage.rolling_radius = rolling_radius_of(scene.motion, free_radius);
+  motion.speed *= mean_surface_speed(pair, reference, motion.creepage);
   // A smooth function of the position: not that of the deepest point.
   const double contact_radius = centre ? centre->rolling_radius : pair.wheel_radius;
   return {body_of(scene.rail, scene.folder), body_of(scene.wheel, scene.folder), load, std::move(motion),

@@ -11,17 +11,21 @@ namespace bem_contact {
 
 namespace {
 
-std::vector<Motion::Friction> read_friction(const std::filesystem::path& file) {
+/// The first column of a friction table that is by inclination, not by arc length "s".
+constexpr const char* by_inclination = "inclination";
+
+std::vector<Motion::Friction> read_friction(const std::filesystem::path& file, const std::string& place) {
   std::vector<Motion::Friction> table;
-  std::vector<std::string> columns{"s", "mu"};
+  std::vector<std::string> columns{place, "mu"};
   const bool falls = csv_columns(file).size() > columns.size();
   if (falls)
     columns.insert(columns.end(), {"falling_friction", "half_slip_velocity"});
   for (const std::vector<double>& row : read_csv(file, columns)) {
-    if (row[1] < 0 || (!table.empty() && row[0] <= table.back().s))
-      throw InputError(fmt::format("The friction table '{}' cannot be used", file.string()),
-                       fmt::format("its row {} has s = {:g}, mu = {:g}", table.size() + 1, row[0], row[1]),
-                       "Give rows of ascending s and mu >= 0.");
+    if (row[1] < 0 || (!table.empty() && row[0] <= table.back().at))
+      throw InputError(
+          fmt::format("The friction table '{}' cannot be used", file.string()),
+          fmt::format("its row {} has {} = {:g}, mu = {:g}", table.size() + 1, place, row[0], row[1]),
+          fmt::format("Give rows of ascending {} and mu >= 0.", place));
     if (falls && !(row[2] > 0 && row[2] <= row[1] && row[3] > 0))
       throw InputError(
           fmt::format("The friction table '{}' cannot be used", file.string()),
@@ -34,17 +38,19 @@ std::vector<Motion::Friction> read_friction(const std::filesystem::path& file) {
 }
 
 /// Linear between the points of the table, constant beyond its ends.
-Motion::Friction friction_at(const std::vector<Motion::Friction>& table, double s) {
-  const auto after = std::ranges::find_if(table, [s](const auto& point) { return point.s > s; });
+Motion::Friction friction_at(const Motion& motion, const ContactRow& row) {
+  const std::vector<Motion::Friction>& table = motion.friction_table;
+  const double at = motion.friction_by_inclination ? row.delta : row.s;
+  const auto after = std::ranges::find_if(table, [at](const auto& point) { return point.at > at; });
   if (after == table.begin() || after == table.end())
     return after == table.begin() ? table.front() : table.back();
   const auto before = std::prev(after);
-  const double share = (s - before->s) / (after->s - before->s);
+  const double share = (at - before->at) / (after->at - before->at);
   const auto between = [&](double Motion::Friction::*number) {
     return (1 - share) * (*before).*number + share * (*after).*number;
   };
   using Friction = Motion::Friction;
-  return {s, between(&Friction::mu), between(&Friction::falling), between(&Friction::half)};
+  return {at, between(&Friction::mu), between(&Friction::falling), between(&Friction::half)};
 }
 
 [[noreturn]] void refuse_coefficient(double coefficient, double adhesion, const char* key) {
@@ -65,7 +71,7 @@ std::vector<FallingFriction> laws_of(const Motion& motion, const ContactProblem&
   std::vector<FallingFriction> laws;
   if (!motion.friction_table.empty() && motion.friction_table.front().half > 0) {
     for (const ContactRow& row : problem.rows) {
-      const Motion::Friction at = friction_at(motion.friction_table, row.s);
+      const Motion::Friction at = friction_at(motion, row);
       laws.push_back(exponential_friction(at.falling, at.mu - at.falling, at.half));
     }
   } else if (const AskedLaw* asked = asked_law(c)) {
@@ -139,6 +145,10 @@ Creepage creepage_of_scene(const SceneFile& scene) {
     creepage.velocity = {0, right * m.lateral_velocity, m.vertical_velocity / *m.speed};
     creepage.roll = right * m.roll_rate;
     creepage.yaw += right * m.yaw_rate;
+    creepage.roller_speed = m.roller_speed.value_or(0) / *m.speed;
+    creepage.wheel_velocity = {m.wheel.forward / *m.speed, right * m.wheel.lateral,
+                               m.wheel.vertical / *m.speed};
+    creepage.wheel_rates = {right * m.wheel.roll, m.wheel.pitch / *m.speed, right * m.wheel.yaw};
   }
   return creepage;
 }
@@ -173,8 +183,11 @@ Motion read_motion(const SceneFile& scene) {
   motion.kind = scene.motion.kind;
   motion.radial_displacement = scene.motion.radial_displacement;
   motion.steps = read_steps(scene);
-  if (!scene.motion.friction_table.empty())
-    motion.friction_table = read_friction(scene.folder / scene.motion.friction_table);
+  if (!scene.motion.friction_table.empty()) {
+    const std::filesystem::path file = scene.folder / scene.motion.friction_table;
+    motion.friction_by_inclination = csv_columns(file).front() == by_inclination;
+    motion.friction_table = read_friction(file, motion.friction_by_inclination ? by_inclination : "s");
+  }
   motion.speed = scene.motion.speed.value_or(0);
   const bool by_row = !motion.friction_table.empty() && motion.friction_table.front().half > 0;
   if (const AskedLaw* asked = asked_law(scene.motion); by_row && asked)
@@ -197,7 +210,7 @@ void apply_motion(const Motion& motion, double reference_delta, ContactProblem& 
   problem.motion = motion.kind;
   if (!motion.friction_table.empty())
     for (const ContactRow& row : problem.rows)
-      problem.friction_rows.push_back(friction_at(motion.friction_table, row.s).mu);
+      problem.friction_rows.push_back(friction_at(motion, row).mu);
   const double largest = problem.largest_friction();
   if (const auto& kinetic = motion.coefficients.kinetic_friction)
     problem.kinetic = ratio_of(*kinetic, largest, "motion.kinetic_friction");

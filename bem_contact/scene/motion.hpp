@@ -20,14 +20,15 @@ struct MotionStep {
 /// the scene names, not their paths.
 struct Motion {
   struct Friction {
-    double s = 0, mu = 0;         ///< arc length on the rail, mm
+    double at = 0, mu = 0;        ///< arc length on the rail, mm, or its inclination, rad
     double falling = 0, half = 0; ///< as SceneFile has them, mm/s; 0: not in the table
   };
 
   MotionKind kind = MotionKind::steady;
   bool tangential = true; ///< false: frictionless
   FrictionCoefficients coefficients;
-  std::vector<Friction> friction_table; ///< instead of `friction`, by ascending s; empty: the same everywhere
+  std::vector<Friction> friction_table; ///< instead of `friction`, ascending; empty: the same everywhere
+  bool friction_by_inclination = false; ///< of the table: else by arc length
   double speed = 0;                     ///< of rolling, mm/s; 0: not given
   SceneFile::Temperature temperature;
   std::optional<double> force_x, force_s; ///< prescribed shear forces, N

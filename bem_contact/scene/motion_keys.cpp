@@ -20,8 +20,10 @@ void add_friction(SchemaTable& t, SceneFile::Motion& m) {
     for (const AskedLaw::Number& number : law.numbers)
       t.add(number.name(), m.*number.member, number.help, number.rule);
   t.add("friction_table", m.friction_table,
-        "CSV file with columns s, mu (linear in between) instead of friction; s as in the result. With two "
-        "columns more, falling_friction and half_slip_velocity, each row has its own law");
+        "CSV file with columns s, mu (linear in between) instead of friction; s as in the result, or in its "
+        "place "
+        "inclination: delta of the result, rad. With two columns more, falling_friction and "
+        "half_slip_velocity, each row has its own law");
 }
 
 } // namespace
@@ -74,6 +76,24 @@ void add_motion(Schema& s, SceneFile::Motion& m) {
   t.add("yaw_rate", m.yaw_rate,
         "Of the wheelset, front to the right; in a curve besides speed / track.curve_radius",
         {.unit = "rad/s", .kinds = wheel_rail_alone});
+  t.add("wheel_forward_velocity", m.wheel.forward,
+        "Of a wheel in a flexible wheelset, besides that of the wheelset: forwards",
+        {.unit = "mm/s", .kinds = wheel_rail_alone});
+  t.add("wheel_lateral_velocity", m.wheel.lateral, "The same, to the right: rate of position.wheel_lateral",
+        {.unit = "mm/s", .kinds = wheel_rail_alone});
+  t.add("wheel_vertical_velocity", m.wheel.vertical, "The same, down",
+        {.unit = "mm/s", .kinds = wheel_rail_alone});
+  t.add("wheel_roll_rate", m.wheel.roll, "The same: rate of position.wheel_roll",
+        {.unit = "rad/s", .kinds = wheel_rail_alone});
+  t.add("wheel_pitch_rate", m.wheel.pitch, "The same: about the axle, positive as it rolls forwards",
+        {.unit = "rad/s", .kinds = wheel_rail_alone});
+  t.add("wheel_yaw_rate", m.wheel.yaw, "The same: rate of position.wheel_yaw",
+        {.unit = "rad/s", .kinds = wheel_rail_alone});
+  t.add("roller_speed", m.roller_speed,
+        "Angular speed of the roller (rail.roller_radius); creepage is relative to the mean speed of both "
+        "surfaces. "
+        "0: the roller's surface has the forward speed at the middle of the contact",
+        {.unit = "rad/s", .at_least = 0, .kinds = wheel_rail_alone, .zero_is_none = true});
   t.add("slip_table", m.slip_table, "CSV file with columns ix, is, wx, ws (rigid slip) instead of creepages",
         {.kinds = patch_alone});
 }

@@ -22,6 +22,12 @@ void add_side(Schema& s, const std::string& name, const std::string& role, Scene
                         : "With place = \"absolute\": from the track's centre line to the side",
         {.unit = "mm", .kinds = wheel_rail_alone});
   t.add("z", side.z, "With place = \"absolute\": down", {.unit = "mm", .kinds = wheel_rail_alone});
+  if (name == "rail")
+    t.add("roller_radius", side.roller_radius,
+          "Of a roller rig: the rail is a surface of revolution whose axis, parallel to y, lies so far below "
+          "z = 0, "
+          "the top of the rail; 0: a straight rail",
+          {.unit = "mm", .at_least = 0, .kinds = wheel_rail_alone, .zero_is_none = true});
   t.add("influence", side.influence, "Influence file (HDF5); empty where only half-space numbers are used");
   t.add("structural", side.structural, "Deflection of the body as a whole (web and foot, or hub)");
   add_material(s, name + ".material", side.material, young);
@@ -52,6 +58,14 @@ void add_position(Schema& s, SceneFile::Position& p) {
   t.add("rail_vertical", p.rail_vertical, "Deviation of the rail from its place, down", {.unit = "mm"});
   t.add("rail_roll", p.rail_roll, "Turn of the rail about the origin of its profile, right side down",
         {.unit = "rad", .at_least = -0.5, .at_most = 0.5});
+  t.add("wheel_lateral", p.deviation.lateral,
+        "Of a wheel in a flexible wheelset, from where the rigid wheelset has it: to the right",
+        {.unit = "mm"});
+  t.add("wheel_vertical", p.deviation.vertical, "The same, down", {.unit = "mm"});
+  t.add("wheel_roll", p.deviation.roll, "The same: turn about its own centre, right side down",
+        {.unit = "rad", .at_least = -0.5, .at_most = 0.5});
+  t.add("wheel_yaw", p.deviation.yaw, "The same, front to the right",
+        {.unit = "rad", .at_least = -0.1, .at_most = 0.1});
 }
 
 void add_track(Schema& s, SceneFile::Track& track) {
@@ -111,6 +125,9 @@ void add_wheelset(Schema& s, SceneFile::Wheelset& w) {
         "The left wheel's profile if it is another one (y to the field side)");
   t.add("left_rail_influence", w.left_rail_influence, "Influence file of wheelset.left_rail_profile");
   t.add("left_wheel_influence", w.left_wheel_influence, "Influence file of wheelset.left_wheel_profile");
+  t.add("left_wheel_radius", w.left_wheel_radius,
+        "Nominal radius of the left wheel if it is another one; 0: as position.wheel_radius",
+        {.unit = "mm", .at_least = 0, .zero_is_none = true});
   t.add("left_friction", w.left_friction,
         "Coefficient of friction on the left rail, if it is another one; 0: as motion.friction",
         {.at_least = 0, .zero_is_none = true});

@@ -18,7 +18,21 @@ struct OneWheelKey {
 
 constexpr const char* shared = "Leave it out: [wheelset] gives the sums of both wheels.";
 constexpr const char* slides = "Give motion.speed with motion.lateral_velocity and motion.yaw_rate.";
+constexpr const char *deviates = "it is the deviation of one wheel",
+                     *rigid = "Leave it out: the wheelset is rigid.";
 constexpr OneWheelKey of_one_wheel[] = {
+    {"position.wheel_lateral", deviates, rigid},
+    {"position.wheel_vertical", deviates, rigid},
+    {"position.wheel_roll", deviates, rigid},
+    {"position.wheel_yaw", deviates, rigid},
+    {"motion.wheel_forward_velocity", deviates, rigid},
+    {"motion.wheel_lateral_velocity", deviates, rigid},
+    {"motion.wheel_vertical_velocity", deviates, rigid},
+    {"motion.wheel_roll_rate", deviates, rigid},
+    {"motion.wheel_pitch_rate", deviates, rigid},
+    {"motion.wheel_yaw_rate", deviates, rigid},
+    {"rail.roller_radius", "a wheelset is balanced on straight rails alone",
+     "Leave it out, or give a load in place of [wheelset]."},
     {"load.force", "it is the force on one wheel, and both share wheelset.force", shared},
     {"load.approach", "both wheels approach their rails by what wheelset.force asks for", shared},
     {"load.force_x", "it is the force on one wheel", "Give wheelset.torque."},
@@ -37,7 +51,7 @@ void check_wheelset(const SceneFile& file, const Schema& schema) {
   if (!file.wheelset.force) {
     for (const char* key :
          {"wheelset.force_y", "wheelset.roll_moment", "wheelset.torque", "wheelset.left_rail_profile",
-          "wheelset.left_wheel_profile", "wheelset.left_friction"})
+          "wheelset.left_wheel_profile", "wheelset.left_friction", "wheelset.left_wheel_radius"})
       if (schema.changed(key))
         schema.refuse(key, "wheelset.force is not given", "Give the vertical force on the axle in N.");
     return;
@@ -93,7 +107,14 @@ void check_motion(const SceneFile& f, const Schema& s) {
                                                   {"motion.lateral_velocity", f.motion.lateral_velocity},
                                                   {"motion.vertical_velocity", f.motion.vertical_velocity},
                                                   {"motion.roll_rate", f.motion.roll_rate},
-                                                  {"motion.yaw_rate", f.motion.yaw_rate}};
+                                                  {"motion.yaw_rate", f.motion.yaw_rate},
+                                                  {"motion.roller_speed", f.motion.roller_speed.value_or(0)},
+                                                  {"motion.wheel_forward_velocity", f.motion.wheel.forward},
+                                                  {"motion.wheel_lateral_velocity", f.motion.wheel.lateral},
+                                                  {"motion.wheel_vertical_velocity", f.motion.wheel.vertical},
+                                                  {"motion.wheel_roll_rate", f.motion.wheel.roll},
+                                                  {"motion.wheel_pitch_rate", f.motion.wheel.pitch},
+                                                  {"motion.wheel_yaw_rate", f.motion.wheel.yaw}};
   for (const auto& [key, rate] : rates) {
     if (rate != 0 && !f.motion.speed)
       s.refuse(key, "only its ratio to the forward speed counts, and motion.speed is not given",
@@ -106,6 +127,22 @@ void check_motion(const SceneFile& f, const Schema& s) {
              "Give either the rolling radius or both speed and pitch_rate.");
   if (!f.motion.slip_table.empty() && (f.motion.xi != 0 || f.motion.eta != 0 || f.motion.phi != 0))
     s.refuse("motion.slip_table", "creepages are given too", "Give either the table or xi, eta and phi.");
+}
+
+void check_roller(const SceneFile& f, const Schema& s) {
+  if (!f.rail.roller_radius) {
+    if (f.motion.roller_speed)
+      s.refuse("motion.roller_speed", "the rail is straight, and rail.roller_radius is not given",
+               "Give the radius of the roller, or leave it out.");
+    return;
+  }
+  if (f.track.curve_radius)
+    s.refuse("track.curve_radius", "rail.roller_radius is given, and a roller rig has no curve",
+             "Give the wheelset's yaw, and motion.roller_speed.");
+  if (!f.rail.influence.empty())
+    s.refuse("rail.influence",
+             "rail.roller_radius is given, and influence functions are those of a straight rail",
+             "Leave it out: half-spaces or tangent planes serve a roller.");
 }
 
 void check_track(const SceneFile& f, const Schema& s) {
@@ -275,6 +312,7 @@ void check_keys(const SceneFile& f, const Schema& s) {
   if (!f.wheelset.force)
     check_load(f, s);
   check_motion(f, s);
+  check_roller(f, s);
   check_track(f, s);
   check_steps(f, s);
   check_friction(f, s);

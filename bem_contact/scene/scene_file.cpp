@@ -132,6 +132,7 @@ SceneFile one_wheel(SceneFile scene, WheelSide side) {
   differ(scene.rail, given.left_rail, given.left_rail_influence);
   differ(scene.wheel, given.left_wheel, given.left_wheel_influence);
   scene.motion.friction = given.left_friction.value_or(scene.motion.friction);
+  scene.position.wheel_radius = given.left_wheel_radius.value_or(scene.position.wheel_radius);
   return scene;
 }
 

@@ -39,9 +39,10 @@ struct SceneFile {
     std::string profile;                ///< standard name or file (wheel_rail)
     ProfileReading reading;             ///< how a profile file is read: keys smoothing, unit, profile_z, ...
     BodyPlace place = BodyPlace::gauge; ///< by gauge and flange back, or where the file puts it
-    double y = 0, z = 0;   ///< absolute: where the section's origin stands (WheelsetPosition), mm
-    Material material;     ///< [rail.material], [wheel.material]
-    std::string influence; ///< influence file; "" where only half-space numbers are used
+    double y = 0, z = 0; ///< absolute: where the section's origin stands (WheelsetPosition), mm
+    std::optional<double> roller_radius = {}; ///< rail of a roller rig: WheelsetPosition::roller_radius, mm
+    Material material;                        ///< [rail.material], [wheel.material]
+    std::string influence;                    ///< influence file; "" where only half-space numbers are used
     StructuralCompliance structural = StructuralCompliance::removed; ///< deflection as a whole
 
     bool operator==(const Side&) const = default;
@@ -89,7 +90,8 @@ struct SceneFile {
     double torque = 0;                  ///< that drives the axle, N mm; the rolling radius is found
     /// The left side where it differs: profiles with influence files of their own, and friction.
     std::string left_rail, left_wheel, left_rail_influence, left_wheel_influence;
-    std::optional<double> left_friction = {}; ///< Coulomb's mu
+    std::optional<double> left_friction = {};     ///< Coulomb's mu
+    std::optional<double> left_wheel_radius = {}; ///< nominal, at the tape circle, mm
 
     bool operator==(const Wheelset&) const = default;
   } wheelset; ///< [wheelset]
@@ -98,7 +100,8 @@ struct SceneFile {
   struct Motion : FrictionCoefficients {
     MotionKind kind = MotionKind::steady; ///< rolling, or shifts
     bool frictionless = false;            ///< the normal problem alone
-    /// CSV file with columns s (mm), mu instead of friction; and falling_friction, half_slip_velocity by row.
+    /// CSV file with columns s (mm) or inclination (rad), mu instead of friction; and falling_friction,
+    /// half_slip_velocity by row.
     std::string friction_table;
     int steps = 1; ///< of transient rolling (dx each) or of shifts
     /// CSV file with one row a step and some of the columns load (N where load.force is given, mm where
@@ -119,6 +122,14 @@ struct SceneFile {
     /// wheel_rail: of the wheelset, with speed: to the right and down, mm/s; right side down and front to the
     /// right, rad/s. The yaw rate is counted from that of the curve, speed / track.curve_radius.
     double lateral_velocity = 0, vertical_velocity = 0, roll_rate = 0, yaw_rate = 0;
+    /// wheel_rail: rates of a wheel in a flexible wheelset, in the directions of WheelsetPosition::deviation
+    /// and forwards, mm/s, and rad/s; pitch: positive as it rolls forwards.
+    struct WheelRates {
+      double forward = 0, lateral = 0, vertical = 0, roll = 0, pitch = 0, yaw = 0;
+
+      bool operator==(const WheelRates&) const = default;
+    } wheel;
+    std::optional<double> roller_speed; ///< wheel_rail: of a roller, rad/s; empty: its surface has the speed
     /// patch: CSV file with columns ix, is, wx, ws instead of creepages; wx, ws per unit of rolled distance
     /// (shift: mm).
     std::string slip_table;

@@ -135,6 +135,7 @@ void settle(SceneFile& f, const Schema& s, const SceneKeysAsRead& read) {
       side->reading.keep_origin = true;
       (side == &f.rail ? f.position.rail_origin : f.position.wheel_origin) = Point2{side->y, side->z};
     }
+  f.position.roller_radius = f.rail.roller_radius.value_or(0);
   if (read.s_from != 0 || read.s_to != 0)
     f.grid.rows = {read.s_from, read.s_to};
 }

@@ -35,7 +35,14 @@ std::vector<const char*> keys_of_friction(const SceneFile& f) {
                                 "motion.from_free_rolling",
                                 "motion.free_rolling",
                                 "motion.radial_displacement",
-                                "temperature.flash"};
+                                "temperature.flash",
+                                "motion.roller_speed",
+                                "motion.wheel_forward_velocity",
+                                "motion.wheel_lateral_velocity",
+                                "motion.wheel_vertical_velocity",
+                                "motion.wheel_roll_rate",
+                                "motion.wheel_pitch_rate",
+                                "motion.wheel_yaw_rate"};
   if (!f.wheelset.force || !f.track.curve_radius) // an axle has a lateral force there
     keys.insert(keys.begin() + 8, {"motion.speed", "track.curve_radius"});
   return keys;
@@ -44,7 +51,8 @@ std::vector<const char*> keys_of_friction(const SceneFile& f) {
 std::vector<Cause> causes_of_motion(const SceneFile& f) {
   const SceneFile::Motion& m = f.motion;
   const bool rates = m.pitch_rate || m.lateral_velocity != 0 || m.vertical_velocity != 0 ||
-                     m.roll_rate != 0 || m.yaw_rate != 0 || f.track.curve_radius;
+                     m.roll_rate != 0 || m.yaw_rate != 0 || f.track.curve_radius || m.roller_speed ||
+                     m.wheel != SceneFile::Motion::WheelRates{};
   const bool falls = asked_law(m) || !m.friction_table.empty();
   std::vector<Cause> causes{
       {keys_of_friction(f), m.frictionless, "motion.frictionless = true leaves the normal problem alone"},

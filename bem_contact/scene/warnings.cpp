@@ -78,6 +78,12 @@ void look_at_motion(const SceneFile& scene, double rolling_radius, std::vector<s
   else if (m.rolling_radius && unlike(*m.rolling_radius))
     out.push_back(fmt::format("motion.rolling_radius is {:g} mm on a wheel of {:g} mm: it slides",
                               *m.rolling_radius, radius));
+  if (const double speed = m.roller_speed.value_or(0) * scene.rail.roller_radius.value_or(0);
+      m.speed && speed > 0 && std::abs(speed - *m.speed) > largest_motion_share * *m.speed)
+    out.push_back(
+        fmt::format("motion.roller_speed moves the roller's surface with {:.4g} mm/s, and motion.speed is "
+                    "{:g} mm/s: the wheel slides",
+                    speed, *m.speed));
   if (std::abs(m.phi) * radius > largest_spin)
     out.push_back(
         fmt::format("motion.phi = {:g} per mm is the spin of a radius of {:.3g} mm (the unit is 1/mm)", m.phi,

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <regex>
 
 namespace {
@@ -13,6 +14,30 @@ using namespace bem_contact;
 using nlohmann::json;
 
 class ShippedScenes : public ProgramTest {};
+
+TEST_F(ShippedScenes, OfRollersCurvesAndInclinationsToo) {
+  const auto answer = [this](const std::string& command, const std::string& name) {
+    const Outcome r = run(command + " '" CONFORMAL_SOURCE_DIR "/data/scenes/" + name + ".toml' --json");
+    EXPECT_EQ(r.code, 0) << name << ": " << r.err;
+    return json::parse(r.out);
+  };
+  const auto number = [](const json& j, const char* table, const char* name) {
+    return j[table][name].get<double>();
+  };
+  const json rig = answer("solve", "roller_rig");
+  EXPECT_GT(std::hypot(number(rig, "quantities", "Fx"), number(rig, "quantities", "Fs")),
+            0.995 * 0.3 * 19797);
+  const json face = answer("solve", "lubricated_gauge_face");
+  EXPECT_LT(std::hypot(number(face, "quantities", "Fx"), number(face, "quantities", "Fs")), 0.2 * 91883);
+  EXPECT_NEAR(number(answer("solve", "flexible_wheelset"), "quantities", "Fy"), -15476, 352);
+  const json curve = answer("wheelset", "curved_track");
+  EXPECT_NEAR(number(curve, "wheelset", "curve_force"), 2982, 1);
+  EXPECT_NEAR(number(curve, "wheelset", "Fy"), 3000 + 2982, 1);
+  EXPECT_NEAR(number(curve, "wheelset", "curve_radius_difference"), 1.38, 1e-9);
+  const json unequal = answer("wheelset", "unequal_wheels");
+  EXPECT_NEAR(number(unequal, "wheelset", "roll"), 0.29e-3, 0.005e-3);
+  EXPECT_NEAR(unequal["right"]["track"]["Fx"].get<double>(), 4459, 150);
+}
 
 /// The scenes that are shipped for the closed forms give what their first lines say.
 TEST_F(ShippedScenes, GiveWhatTheirFirstLinesSay) {

@@ -57,7 +57,7 @@ TEST_F(WearCommand, OneContactByKilometreAxlesAndTonnes) {
 
   std::string axle = scene.substr(0, scene.find("[sweep]"));
   axle.replace(axle.find("load.force = 8e4"), 16,
-               "wheelset.force = 2e5\nposition = { lateral = 5, cant = 0.025 }");
+               "wheelset.force = 2e5\nposition = { lateral = 5, rail_inclination = 0.025 }");
   axle.replace(axle.find("xi = 2e-3\n"), 10, "");
   const auto both = nlohmann::json::parse(run("wear " + write("axle.toml", axle).string() + " --json").out);
   for (const char* side : {"right", "left"}) {

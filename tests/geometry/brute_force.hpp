@@ -100,6 +100,7 @@ private:
     const double side = position.side == WheelSide::left ? -1 : 1;
     roll_ = side * position.roll, yaw_ = side * position.yaw, lateral_ = side * position.lateral;
     arm_ = position.back_to_back / 2 + 70, radius_ = position.wheel_radius;
+    axis_ = position.roller_radius > 0 ? position.roller_radius + position.rail_vertical : infinite;
     // As a height on a regular raster of y, from the points that are seen from above.
     std::vector<Point2>& p = placed_;
     p.resize(rail_.size());
@@ -126,9 +127,13 @@ private:
     const auto k = static_cast<std::ptrdiff_t>(std::floor(at));
     if (k < 0 || k + 1 >= static_cast<std::ptrdiff_t>(height_.size()))
       return {};
-    const double t = at - static_cast<double>(k);
-    return {(1 - t) * height_[k] + t * height_[k + 1] - down, 0, across,
-            x * std::cos(yaw_) - rolled_y * std::sin(yaw_)};
+    const double t = at - static_cast<double>(k), height = (1 - t) * height_[k] + t * height_[k + 1];
+    const double along = x * std::cos(yaw_) - rolled_y * std::sin(yaw_);
+    if (axis_ == infinite)
+      return {height - down, 0, across, along};
+    // A circle of the roller: where a vertical line at `along` meets it.
+    const double circle = axis_ - height, under = circle * circle - along * along;
+    return under > 0 ? Minimum{axis_ - std::sqrt(under) - down, 0, across, along} : Minimum{};
   }
 
   template <class F> static double golden(double a, double b, double tolerance, const F& f) {
@@ -165,7 +170,7 @@ private:
   TabulatedProfile wheel_;
   std::vector<Point2> rail_;
   std::vector<CurvePoint> profile_;
-  double roll_ = 0, yaw_ = 0, lateral_ = 0, arm_ = 0, radius_ = 0, y0_ = 0;
+  double roll_ = 0, yaw_ = 0, lateral_ = 0, arm_ = 0, radius_ = 0, y0_ = 0, axis_ = infinite;
   std::vector<double> height_;
   // Scratch, kept: they are large, and fresh memory is dear.
   std::vector<Point2> placed_;

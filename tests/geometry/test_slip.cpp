@@ -164,6 +164,69 @@ TEST(RigidSlip, RatesMoveTheWheelAsItsPlacementDoes) {
   }
 }
 
+/// A wheel of a flexible wheelset: its deviation, made by turns about axes one after the other, and its rates
+/// as the difference of two such placements.
+TEST(RigidSlip, RatesOfAFlexibleWheelMoveItAsItsDeviationDoes) {
+  WheelsetPosition position;
+  position.lateral = 3;
+  position.roll = 4e-3;
+  position.yaw = 9e-3;
+  position.deviation = {0.7, -0.4, 2e-3, -5e-3};
+  const auto placed = [](const WheelsetPosition& p) {
+    return place(p, named_profile("60E1", ProfileKind::rail), named_profile("S1002", ProfileKind::wheel));
+  };
+  const WheelOnRail pair = placed(position);
+  const auto turned_y_z = [](double a, Vector3 v) {
+    return Vector3{v[0], std::cos(a) * v[1] - std::sin(a) * v[2], std::sin(a) * v[1] + std::cos(a) * v[2]};
+  };
+  const auto turned_x_y = [](double a, Vector3 v) {
+    return Vector3{std::cos(a) * v[0] - std::sin(a) * v[1], std::sin(a) * v[0] + std::cos(a) * v[1], v[2]};
+  };
+  // Where a point of the wheel is, given from its centre: own roll, own yaw, its place on the rolled axle
+  // with the displacement, yaw of the wheelset.
+  const auto in_space = [&](const WheelsetPosition& p, Vector3 of_wheel) {
+    const WheelDeviation& d = p.deviation;
+    Vector3 v = turned_x_y(d.yaw, turned_y_z(p.roll + d.roll, of_wheel));
+    const Vector3 on_axle = turned_y_z(p.roll, {0, 750, 0});
+    v = {v[0], v[1] + on_axle[1] + d.lateral, v[2] + on_axle[2] + d.vertical};
+    v = turned_x_y(p.yaw, v);
+    return Vector3{v[0], v[1] + p.lateral, v[2] - 460};
+  };
+  const WheelFrame frame = pair.wheel_frame();
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(frame.centre[i], in_space(position, {0, 0, 0})[i], 1e-10);
+    EXPECT_NEAR(frame.axle[i], in_space(position, {0, 1, 0})[i] - frame.centre[i], 1e-10);
+    EXPECT_NEAR(frame.down[i], in_space(position, {0, 0, 1})[i] - frame.centre[i], 1e-10);
+  }
+  const Vector3 of_wheel{3, -20, 462};
+  const Vector3 p = in_space(position, of_wheel);
+  const std::vector<ContactRow> row{{0, {p[1], p[2]}, -0.3}};
+  const ReferencePoint reference{{p[1], p[2]}, 0, -0.3, p[0]};
+  Creepage still, moving;
+  still.rolling_radius = moving.rolling_radius = 460;
+  moving.wheel_velocity = {0, 2e-3, 1e-3};
+  moving.wheel_rates = {3e-6, 0, -2e-6};
+  const double t = 1e-2;
+  WheelsetPosition after = position, before = position;
+  for (const auto& [sign, state] : {std::pair(1.0, &after), std::pair(-1.0, &before)}) {
+    state->deviation.lateral += sign * t * 2e-3;
+    state->deviation.vertical += sign * t * 1e-3;
+    state->deviation.roll += sign * t * 3e-6;
+    state->deviation.yaw += sign * t * -2e-6;
+  }
+  const Vector3 there = in_space(after, of_wheel), here = in_space(before, of_wheel);
+  const std::vector<double> x{p[0]};
+  const RigidSlip a = rigid_slip(pair, reference, still, row, x),
+                  b = rigid_slip(pair, reference, moving, row, x);
+  EXPECT_NEAR(b.x[0] - a.x[0], (there[0] - here[0]) / (2 * t), 1e-5 * 2e-3);
+  EXPECT_NEAR(b.s[0] - a.s[0],
+              (std::cos(-0.3) * (there[1] - here[1]) + std::sin(-0.3) * (there[2] - here[2])) / (2 * t),
+              1e-5 * 2e-3);
+  moving.wheel_velocity = {1e-3, 0, 0};
+  moving.wheel_rates = {0, 1e-3 / 460, 0}; // rolls off what it moves forwards
+  EXPECT_NEAR(rigid_slip(pair, reference, moving, row, x).x[0] - a.x[0], 0, 1e-5);
+}
+
 TEST(RigidSlip, OfALeftWheelIsTheMirrorImage) {
   // The same motion seen in a mirror: the yaw that pushes the right wheel's flange pulls the left one's.
   const auto at = [](WheelSide side, double yaw) {

@@ -228,6 +228,39 @@ TEST_F(MotionTables, ComparingStepsNeedsAForce) {
   EXPECT_THROW(Sequence().compare(scene), InputError);
 }
 
+/// A lubricated gauge face: friction by inclination is that of a table by arc length at the same rows.
+TEST_F(MotionTables, FrictionByInclinationIsThatOfTheRowsInclination) {
+  write("inclination.csv", "inclination,mu\n-0.8,0.1\n-0.4,0.1\n-0.3,0.4\n");
+  SceneFile scene =
+      parse_scene_file("rail.profile = '60E1'\nwheel.profile = 'S1002'\nload.force = 8e4\n"
+                       "position = { lateral = 6.6, rail_inclination = 0.025 }\nmotion.free_rolling = false\n"
+                       "solver.model = 'halfspace'\ngrid = { dx = 1, ds = 0.5, s_from = -40, s_to = -5 }\n"
+                       "motion.friction_table = 'inclination.csv'\n");
+  scene.folder = folder_.path();
+  const SceneResult r = Sequence().solve(scene);
+  ASSERT_TRUE(r.result.converged);
+  std::string by_s = "s,mu\n";
+  int lubricated = 0, dry = 0;
+  for (std::size_t is = 0; is < r.problem.rows.size(); ++is) {
+    const double delta = r.problem.rows[is].delta;
+    const double mu = delta < -0.4 ? 0.1 : delta > -0.3 ? 0.4 : 0.1 + 0.3 * (delta + 0.4) / 0.1;
+    EXPECT_NEAR(r.problem.friction_rows[is], mu, 1e-12);
+    by_s += fmt::format("{:.17g},{:.17g}\n", r.problem.rows[is].s, mu);
+    lubricated += mu < 0.11;
+    dry += mu > 0.39;
+  }
+  EXPECT_GT(lubricated, 3);
+  EXPECT_GT(dry, 3);
+  write("s.csv", by_s);
+  scene.motion.friction_table = "s.csv";
+  const SceneResult same = Sequence().solve(scene);
+  EXPECT_NEAR(same.result.Fx, r.result.Fx, 1e-6 * 8e4);
+  EXPECT_NEAR(same.result.Fy, r.result.Fy, 1e-6 * 8e4);
+  write("wrong.csv", "inclination,mu\n-0.3,0.1\n-0.8,0.1\n");
+  scene.motion.friction_table = "wrong.csv";
+  EXPECT_THAT(message_of([&] { read_motion(scene); }), HasSubstr("ascending inclination"));
+}
+
 /// The wheelset turns with the track, and motion.yaw_rate counts from there.
 TEST(Motion, ACurveIsAYawRate) {
   for (const char* side : {"left", "right"}) {

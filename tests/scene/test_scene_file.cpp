@@ -207,6 +207,22 @@ TEST(SceneFile, a_curve_needs_a_speed_and_superelevation_a_curve) {
   EXPECT_THAT(f.unused, IsEmpty());
 }
 
+TEST(SceneFile, rollers_and_flexible_wheels) {
+  const std::string roller = wheel + "rail.roller_radius = 500\n";
+  const SceneFile f = parse_scene_file(roller + "motion.speed = 1e4\nmotion.roller_speed = 20\n");
+  EXPECT_EQ(f.position.roller_radius, 500);
+  EXPECT_THAT(f.unused, IsEmpty());
+  EXPECT_THAT(refusal(wheel + "motion.speed = 1e4\nmotion.roller_speed = 20\n"),
+              HasSubstr("the rail is straight"));
+  EXPECT_THAT(refusal(roller + "motion.roller_speed = 20\n"), HasSubstr("motion.speed is not given"));
+  EXPECT_THAT(refusal(roller + "rail.influence = 'a.h5'\n"), HasSubstr("those of a straight rail"));
+  EXPECT_THAT(refusal(roller + "motion.speed = 1e4\ntrack.curve_radius = 3e5\n"), HasSubstr("has no curve"));
+  EXPECT_THAT(refusal(wheel + "motion.wheel_yaw_rate = 1e-3\n"), HasSubstr("motion.speed is not given"));
+  const std::string axle = "rail.profile = '60E1'\nwheel.profile = 'S1002'\nwheelset.force = 2e5\n";
+  EXPECT_THAT(refusal(axle + "rail.roller_radius = 500\n"), HasSubstr("straight rails alone"));
+  EXPECT_THAT(refusal(axle + "position.wheel_yaw = 1e-3\n"), HasSubstr("deviation of one wheel"));
+}
+
 TEST(SceneFile, keys_without_effect_are_said) {
   const auto unused = [](const std::string& text) { return parse_scene_file(text).unused; };
   const auto keys = [](const std::string& names) {

@@ -38,7 +38,7 @@ EquilibriumStart begin_at(WheelPair& wheels, double lateral, double factor) {
   start.left = nearer(s.left);
   if (finds_rolling_radius(wheels.scene()))
     start.rolling_radius =
-        0.5 * (radius_at_contact(s.right, s.wheel_radius) + radius_at_contact(s.left, s.wheel_radius));
+        0.5 * (radius_at_contact(s.right, s.wheel_radius) + radius_at_contact(s.left, s.left_wheel_radius));
   return start;
 }
 

@@ -64,7 +64,7 @@ template <Name name> WheelQuantity as_in_result() {
 
 /// Of the wheel at the contact, mm.
 double radius(const State& s, WheelSide side) {
-  return s.wheel_radius + place<&PatchPlace::wheel_z>(s, side);
+  return s.radius(side) + place<&PatchPlace::wheel_z>(s, side);
 }
 
 constexpr WheelsetQuantity of_wheelset[] = {

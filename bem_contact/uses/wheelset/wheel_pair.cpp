@@ -94,9 +94,9 @@ WheelPair::WheelPair(const SceneFile& scene, const std::atomic<bool>* stop,
 }
 
 SceneFile WheelPair::wheel_scene(WheelSide side, const WheelsetPose& pose) const {
-  SceneFile out = side == WheelSide::right ? right_scene_ : left_scene_;
+  SceneFile out = scene_of(side);
   out.position.lateral = pose.lateral;
-  out.position.vertical = pose.vertical;
+  out.position.vertical = pose.vertical + larger(side); // a wheel's own counts from its own radius
   out.position.roll = pose.roll;
   out.motion.free_rolling = false; // one wheel of an axle does not roll freely
   if (pose.rolling_radius) {
@@ -111,6 +111,7 @@ WheelsetState WheelPair::at(const WheelsetPose& pose) {
   WheelsetState out{.pose = pose,
                     .yaw = yaw,
                     .wheel_radius = radius,
+                    .left_wheel_radius = radius + larger(WheelSide::left),
                     .right = right_.solve(wheel_scene(WheelSide::right, pose), stop_),
                     .left = left_.solve(wheel_scene(WheelSide::left, pose), stop_)};
   tell_choice(right_choice_, out.right);
@@ -173,7 +174,7 @@ void WheelPair::free_elements() {
 }
 
 double WheelPair::lowered(WheelSide side, double lateral, double roll) {
-  const SceneFile& scene = side == WheelSide::right ? right_scene_ : left_scene_;
+  const SceneFile& scene = scene_of(side);
   const WheelRailProfiles profiles = read_profiles(scene, *files_);
   WheelsetPosition position = scene.position;
   position.lateral = lateral;
@@ -181,7 +182,7 @@ double WheelPair::lowered(WheelSide side, double lateral, double roll) {
   WheelOnRail pair = place(position, profiles.rail, profiles.wheel);
   const double before = pair.wheel_pose.origin.z;
   lower_to_touch(pair);
-  return pair.wheel_pose.origin.z - before;
+  return pair.wheel_pose.origin.z - before - larger(side);
 }
 
 int WheelPair::contact_problems() const {

@@ -50,12 +50,15 @@ struct WheelsetPose {
 struct WheelsetState {
   WheelsetPose pose;                    ///< at which both were solved
   double yaw = 0;                       ///< rad, as position.yaw
-  double wheel_radius = 0;              ///< at the tape circle, mm
+  double wheel_radius = 0;              ///< at the tape circle, of the right wheel, mm
+  double left_wheel_radius = 0;         ///< of the left one, mm
   SceneResult right, left;              ///< SceneResult::left says which
   Wrench right_wrench{}, left_wrench{}; ///< on the rails, track frame, about the wheelset's centre
 
   /// The result of one wheel, in the track frame of its side.
   const SceneResult& solved(WheelSide side) const { return side == WheelSide::right ? right : left; }
+  /// Of one wheel at its tape circle, mm.
+  double radius(WheelSide side) const { return side == WheelSide::right ? wheel_radius : left_wheel_radius; }
   /// On the rail of one wheel: track frame, about the wheelset's centre.
   const Wrench& wrench(WheelSide side) const { return side == WheelSide::right ? right_wrench : left_wrench; }
   /// On both rails: track frame, about the wheelset's centre.
@@ -97,6 +100,13 @@ public:
 
 private:
   void free_elements(); ///< elements and models are those that the scene asks for
+  const SceneFile& scene_of(WheelSide side) const {
+    return side == WheelSide::right ? right_scene_ : left_scene_;
+  }
+  /// How much larger a wheel is than position.wheel_radius, mm.
+  double larger(WheelSide side) const {
+    return scene_of(side).position.wheel_radius - scene_.position.wheel_radius;
+  }
   SceneFile wheel_scene(WheelSide side, const WheelsetPose& pose) const;
 
   /// Why a model was chosen.
