@@ -5,6 +5,7 @@
 #include "bem_contact/c/result_values.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/sequence/quantities.hpp"
+#include "bem_contact/sequence/result_record.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
 
@@ -25,6 +26,7 @@ struct conformal_contact {
   Sequence sequence;
   std::vector<std::string> keys; ///< by index
   std::optional<SceneResult> result;
+  std::optional<ResultByPath> by_path; ///< of this result
   std::atomic<bool> stop = false;
   std::string message, why_no_errors;
 };
@@ -81,6 +83,7 @@ SceneResult solved_or_stopped(conformal_contact* handle) {
 
 /// Like the program's: no certificate, no success.
 void solve(conformal_contact* handle) {
+  handle->by_path.reset();
   handle->result.reset();
   handle->result = solved_or_stopped(handle);
   if (!certified(*handle->result))
@@ -174,6 +177,16 @@ int conformal_total_errors(conformal_contact* handle, double* errors, int count)
   return with(handle, [&] {
     require(errors, "the array");
     copy_first(total_errors_of(result_of(handle)), errors, count);
+  });
+}
+
+int conformal_number(conformal_contact* handle, const char* path, double* value) {
+  return with(handle, [&] {
+    require(path && value, "the path or the value");
+    const SceneResult& result = result_of(handle);
+    if (!handle->by_path)
+      handle->by_path.emplace(result);
+    *value = handle->by_path->number(path);
   });
 }
 

@@ -83,6 +83,12 @@ module conformal_contact
       real(c_double), intent(out) :: errors(*)
       integer(c_int), value :: count
     end function
+    integer(c_int) function conformal_number(handle, path, number) bind(c)
+      import
+      type(c_ptr), value :: handle
+      character(kind=c_char), intent(in) :: path(*)
+      real(c_double), intent(inout) :: number
+    end function
     integer(c_int) function conformal_model(handle, name, reason) bind(c)
       import
       type(c_ptr), value :: handle

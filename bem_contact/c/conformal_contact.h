@@ -96,6 +96,13 @@ int conformal_totals(conformal_contact* handle, double* totals, int count);
  * as by the model "hertz". */
 int conformal_total_errors(conformal_contact* handle, double* errors, int count);
 
+/* Any number of the last result by its path, as `bem_contact solve --json` and result files have it:
+ * "quantities/T_gamma", "quantities/pmax_error", "patches/0/Fn" (patches count from 0), "history/3/Fx",
+ * "certified" (0 or 1). Its unit is there, too. A number that is not known is not a number (not equal to
+ * itself). With CONFORMAL_WRONG_INPUT conformal_message() names the nearest paths, and *value is as it was.
+ */
+int conformal_number(conformal_contact* handle, const char* path, double* value);
+
 /* The model that the last result was solved with (its name in scenes, as "halfspace"), and why it was this
  * one. *reason is valid until the next conformal_solve(). */
 int conformal_model(conformal_contact* handle, const char** name, const char** reason);

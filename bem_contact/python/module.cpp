@@ -103,22 +103,25 @@ void report_of(const PythonResult& r, const std::filesystem::path& page) {
   report::write_report(file, page);
 }
 
-/// What stands at a path of the record, "patches/0/Fn". Raises KeyError.
-py::object at_path(const PythonResult& r, const std::string& path) {
+/// What stands at a path of the record, "patches/0/Fn". Raises KeyError, which names the nearest paths.
+py::object at_path(PythonResult& r, const std::string& path) {
   if (!r.solved)
     throw InputError("Paths need a result that was solved here",
                      "one that was pickled holds only its properties",
                      "Take the property of that name, or solve the scene again.");
-  for (const bool fields : {false, true}) { // most paths need none
-    const record::Record all = record_of(*r.solved, {.fields = fields});
+  if (!r.by_path)
+    r.by_path = std::make_shared<ResultByPath>(*r.solved);
+  try {
+    const record::Record& all = r.by_path->record_with(path);
     if (const record::Content* content = record::find(all, path))
       return as_object(*content);
     if (const auto number = record::number_at(all, path))
       return std::isnan(*number) ? py::object(py::none()) : py::object(py::float_(*number));
-    if (const auto values = record::values_at(all, path); !values.empty())
-      return array_of({values.begin(), values.end()});
+    const auto values = record::values_at(all, path);
+    return array_of({values.begin(), values.end()});
+  } catch (const InputError& unknown) {
+    throw py::key_error(unknown.what());
   }
-  throw py::key_error(path);
 }
 
 /// The unit of every number, array and entry of a patch.
@@ -223,6 +226,7 @@ void add_fields(ResultClass& c) {
 }
 
 void add_trust(ResultClass& c) {
+  using namespace py::literals;
   c.def_property_readonly(
       "model", [](const SceneResult& r) { return std::string(name_of(r.model)); },
       "Its name in scenes, as halfspace");
@@ -244,8 +248,8 @@ void add_trust(ResultClass& c) {
   c.def_property_readonly("why_not_certified", why_not_certified,
                           "Why it is not certified; \"\" where it is");
   c.def("__getitem__", at_path);
-  c.def("save", save);
-  c.def("report", report_of);
+  c.def("save", save, "file"_a, "Writes the result file (HDF5) of `bem_contact solve -o`");
+  c.def("report", report_of, "page"_a, "Writes the HTML page that `bem_contact report` makes of it");
   c.def("__repr__", [](const py::object& r) {
     return py::str("<bem_contact.Result: {}, Fz {:.6g} N, {} patches, {}>")
         .format(r.attr("model"), r.attr("Fz"), py::len(r.attr("patches")),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/sequence/result_record.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/sequence/scene_result.hpp"
 
@@ -20,7 +21,8 @@ struct PythonResult {
   std::shared_ptr<const SceneResult> solved;
   pybind11::dict kept = {};
   std::shared_ptr<const GivenScene> given =
-      nullptr; ///< what was solved; nothing: one of several of an answer
+      nullptr;                                     ///< what was solved; nothing: one of several of an answer
+  std::shared_ptr<ResultByPath> by_path = nullptr; ///< nothing: no path was asked for
 };
 
 /// Declares the properties of Result as pybind11::class_ does. Each is part of a pickle from here on.
@@ -60,8 +62,8 @@ public:
         name, [member](const SceneResult& r) { return r.*member; }, doc);
   }
   /// `of` takes Python's object.
-  template <class Of> ResultClass& def(const char* name, const Of& of) {
-    class_.def(name, of);
+  template <class Of, class... More> ResultClass& def(const char* name, const Of& of, const More&... more) {
+    class_.def(name, of, more...);
     return *this;
   }
 

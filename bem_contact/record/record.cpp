@@ -61,6 +61,24 @@ std::optional<double> in_table(const Table& table, std::string_view path) {
 
 constexpr std::string_view error_ending = "_error";
 
+constexpr std::size_t most_like = 3; // paths that a message names
+
+std::string_view last_name(std::string_view path) {
+  return path.substr(path.rfind('/') + 1); // npos + 1 is 0
+}
+
+void add_paths(std::vector<std::string>& out, const std::string& path, const Content& content) {
+  out.push_back(path);
+  if (const auto* number = std::get_if<Number>(&content); number && number->error)
+    out.push_back(error_name(path));
+  else if (const auto* table = std::get_if<Table>(&content); table && table->size() > 0)
+    for (const Column& column : table->columns)
+      out.push_back(path + "/0/" + column.name);
+  else if (const auto* group = std::get_if<Record>(&content))
+    for (const Entry& one : group->entries())
+      add_paths(out, path + "/" + one.name, one.content);
+}
+
 } // namespace
 
 Field field(std::vector<double> values, std::string unit, std::string meaning,
@@ -133,6 +151,33 @@ std::span<const double> values_at(const Record& record, std::string_view path) {
   const auto* table = std::get_if<Table>(content);
   const Column* column = table ? table->column(rest) : nullptr;
   return column ? std::span<const double>(column->values) : std::span<const double>();
+}
+
+bool has(const Record& record, std::string_view path) {
+  return find(record, path) || number_at(record, path) || !values_at(record, path).empty();
+}
+
+std::vector<std::string> paths_of(const Record& record) {
+  std::vector<std::string> out;
+  for (const Entry& one : record.entries())
+    add_paths(out, one.name, one.content);
+  return out;
+}
+
+InputError unknown_path(const Record& record, std::string_view path, std::string_view what) {
+  const std::vector<std::string> known = paths_of(record);
+  std::vector<std::string> like;
+  for (const std::string& one : known)
+    if (last_name(one) == path && like.size() < most_like)
+      like.push_back(one);
+  if (like.empty())
+    like = nearest_names(path, known, most_like);
+  std::string advice;
+  for (const std::string& one : like)
+    advice += (&one == &like.front() ? "Did you mean " : &one == &like.back() ? " or " : ", ") + one;
+  advice += like.empty() ? "See bem_contact solve --json for all of them." : "?";
+  return {"There is no path '" + std::string(path) + "'", "the " + std::string(what) + " has nothing there",
+          advice};
 }
 
 } // namespace bem_contact::record

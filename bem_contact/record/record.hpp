@@ -1,5 +1,7 @@
 #pragma once
 
+#include "bem_contact/base/error.hpp"
+
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -123,5 +125,11 @@ std::optional<std::string_view> text_at(const Record& record, std::string_view p
 std::optional<bool> flag_at(const Record& record, std::string_view path);
 /// All numbers at a path: of a field, or of a table's column ("patches/Fn"). Empty where there are none.
 std::span<const double> values_at(const Record& record, std::string_view path);
+/// Whether any of these finds something there.
+bool has(const Record& record, std::string_view path);
+/// Every path that has() finds, of tables and fields in their first row.
+std::vector<std::string> paths_of(const Record& record);
+/// What to say where has() is false: it names the paths most like this one. `what`: "result".
+InputError unknown_path(const Record& record, std::string_view path, std::string_view what);
 
 } // namespace bem_contact::record

@@ -275,6 +275,26 @@ Record record_of(const SceneResult& r, const RecordParts& parts) {
   return out;
 }
 
+const Record& ResultByPath::record_with(std::string_view path) {
+  for (auto [kept, fields] : {std::pair(&numbers_, false), std::pair(&whole_, true)}) {
+    if (!*kept)
+      *kept = record_of(*result_, {.fields = fields});
+    if (record::has(**kept, path))
+      return **kept;
+  }
+  throw record::unknown_path(*whole_, path, "result");
+}
+
+double ResultByPath::number(std::string_view path) {
+  const Record& all = record_with(path);
+  if (const auto number = record::number_at(all, path))
+    return *number;
+  throw InputError("'" + std::string(path) + "' is no number",
+                   record::values_at(all, path).empty() ? "a text or a group stands there"
+                                                        : "several numbers stand there",
+                   "Go on in the path, as patches/0/Fn.");
+}
+
 Record record_of(const Comparison& c, const RecordParts& parts) {
   record::Texts models{{}, "those compared"};
   for (const Model model : c.models)

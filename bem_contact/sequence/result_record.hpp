@@ -4,6 +4,9 @@
 #include "bem_contact/sequence/comparison.hpp"
 #include "bem_contact/sequence/scene_result.hpp"
 
+#include <optional>
+#include <string_view>
+
 namespace bem_contact {
 
 /// Which parts of a result a record has besides its texts.
@@ -18,6 +21,22 @@ struct RecordParts {
 ///     quantities/Fx, patches/0/Fn, history/0/Fx, ...                      numbers (quantities.hpp)
 ///     x, s, gap, p_n, ...                                                 fields
 record::Record record_of(const SceneResult& result, const RecordParts& parts = {});
+
+/// A result that is asked by path, "patches/0/Fn". Its records are made once, when a path first needs them:
+/// most paths need no fields. The result must outlive this, and stay where it is.
+class ResultByPath {
+public:
+  explicit ResultByPath(const SceneResult& result) : result_(&result) {}
+
+  /// A record that has something at this path. Throws InputError, which names the nearest paths.
+  const record::Record& record_with(std::string_view path);
+  /// The number there. Throws InputError.
+  double number(std::string_view path);
+
+private:
+  const SceneResult* result_;
+  std::optional<record::Record> numbers_, whole_;
+};
 
 /// Its tables, and the parts that only some scenes ask for.
 record::Table patches_of(const SceneResult& result);

@@ -168,6 +168,47 @@ TEST(C, StatedErrorsAndTheModelAreThoseOfTheResult) {
   EXPECT_EQ(why, why_no_errors(expected));
 }
 
+TEST(C, NumbersAreAskedByTheirPaths) {
+  const Handle contact = open_file(hertz);
+  double value = -7, totals[CONFORMAL_TOTALS], patch[CONFORMAL_PATCH_VALUES];
+  const auto ask = [&](const char* path) { return conformal_number(contact.get(), path, &value); };
+  const auto refused = [&](const char* path) {
+    return ask(path) == CONFORMAL_WRONG_INPUT ? std::string(conformal_message(contact.get())) : "no error";
+  };
+  EXPECT_THAT(refused("quantities/Fx"), HasSubstr("There is no result"));
+  for (const double force : {5e4, 1e5}) { // the paths are those of the last result
+    conformal_set_number(contact.get(), key_of(contact, "load.force"), force);
+    ASSERT_EQ(conformal_solve(contact.get()), CONFORMAL_OK);
+    conformal_totals(contact.get(), totals, CONFORMAL_TOTALS);
+    conformal_patch(contact.get(), 0, patch, CONFORMAL_PATCH_VALUES);
+    for (const auto& [path, expected] : {std::pair("quantities/pmax", totals[CONFORMAL_PMAX]),
+                                         {"quantities/Fz", force},
+                                         {"patches/0/Fn", patch[CONFORMAL_PATCH_FN]},
+                                         {"patches/0/semi_axis_a", patch[CONFORMAL_PATCH_SEMI_AXIS_A]},
+                                         {"certified", 1.0},
+                                         {"friction", 0.0}}) {
+      ASSERT_EQ(ask(path), CONFORMAL_OK) << conformal_message(contact.get());
+      EXPECT_EQ(value, expected) << path;
+    }
+    double x[40];
+    ASSERT_EQ(conformal_array(contact.get(), CONFORMAL_X, x, 40), CONFORMAL_OK);
+    ASSERT_EQ(ask("x/3"), CONFORMAL_OK); // fields, too
+    EXPECT_EQ(value, x[3]);
+  }
+  ASSERT_EQ(ask("quantities/free_rolling_radius"), CONFORMAL_OK);
+  EXPECT_TRUE(std::isnan(value)); // there is none
+  value = -7;
+  EXPECT_THAT(refused("quantities/Fxx"), HasSubstr("Did you mean quantities/Fx"));
+  EXPECT_THAT(refused("Fn"), HasSubstr("Did you mean patches/0/Fn?"));
+  EXPECT_THAT(refused("patches/1/Fn"), HasSubstr("patches/0/Fn"));
+  EXPECT_THAT(refused("patches/Fn"), HasSubstr("several numbers"));
+  EXPECT_THAT(refused("model"), HasSubstr("'model' is no number (a text"));
+  EXPECT_THAT(refused(""), HasSubstr("no path ''"));
+  EXPECT_EQ(value, -7);
+  EXPECT_EQ(conformal_number(contact.get(), nullptr, &value), CONFORMAL_WRONG_INPUT);
+  EXPECT_EQ(conformal_number(contact.get(), "certified", nullptr), CONFORMAL_WRONG_INPUT);
+}
+
 TEST(C, SaysWhatIsWrong) {
   EXPECT_THAT(message_of_text("kind = \"wheel_rai\""), HasSubstr("wheel_rail"));
   EXPECT_THAT(message_of_text("load.forze = 1"), HasSubstr("load.force"));

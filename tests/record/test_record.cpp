@@ -60,6 +60,19 @@ TEST(Record, IsAskedByPath) {
     EXPECT_EQ(number_at(r, wrong), std::nullopt) << wrong;
 }
 
+TEST(Record, KnowsItsPathsAndTheNearestOnes) {
+  const Record r = sample();
+  for (const std::string& path : paths_of(r))
+    EXPECT_TRUE(has(r, path)) << path;
+  const auto refusal = [&](const char* path) { return std::string(unknown_path(r, path, "result").what()); };
+  EXPECT_FALSE(has(r, "quantities/Fxx"));
+  EXPECT_THAT(paths_of(r),
+              testing::IsSupersetOf({"quantities/Fx", "quantities/Fx_error", "patches/0/Fn", "p_n"}));
+  EXPECT_THAT(refusal("quantities/Fxx"), HasSubstr("Did you mean quantities/Fx"));
+  EXPECT_THAT(refusal("Fn"), HasSubstr("Did you mean patches/0/Fn?"));
+  EXPECT_THAT(refusal(std::string(3000, 'x').c_str()), HasSubstr("has nothing there"));
+}
+
 TEST(Record, AsJsonSaysEachNumberOnceWithItsErrorAndUnit) {
   const json j = json::parse(to_json(sample()));
   EXPECT_EQ(j["quantities"]["Fx"], 3.25);

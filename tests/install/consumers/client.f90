@@ -6,7 +6,7 @@ program client
   type(c_ptr) :: contact
   character(kind=c_char) :: message(1000)
   character(len=500) :: scene
-  real(c_double) :: totals(conformal_totals_count), errors(conformal_totals_count)
+  real(c_double) :: totals(conformal_totals_count), errors(conformal_totals_count), pmax
   integer(c_int) :: force
   integer :: i
   call get_command_argument(1, scene)
@@ -17,6 +17,9 @@ program client
     if (conformal_solve(contact) /= conformal_ok) stop 4
     if (conformal_totals(contact, totals, conformal_totals_count) /= conformal_ok) stop 5
     if (conformal_total_errors(contact, errors, conformal_totals_count) /= conformal_ok) stop 7
+    if (conformal_number(contact, "patches/0/pmax" // c_null_char, pmax) /= conformal_ok) stop 8
+    if (pmax /= totals(1 + conformal_pmax)) stop 9
+    if (conformal_number(contact, "patches/0/pmex" // c_null_char, pmax) /= conformal_wrong_input) stop 10
     print '(es24.16)', totals(1 + conformal_pmax)
     write (error_unit, '(a, es9.2, a)') '+-', errors(1 + conformal_pmax), ' MPa (NaN: none is stated)'
   end do
