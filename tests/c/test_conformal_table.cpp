@@ -4,12 +4,15 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <memory>
 #include <regex>
 #include <set>
@@ -176,6 +179,31 @@ TEST(CTable, ThreadsShareATable) {
     thread.join();
 }
 
+/// The build writes the constants of the header into Fortran's module, with their values.
+TEST(CTable, FortranHasEveryConstant) {
+  const auto constants_of = [](const std::string& file, const char* pattern) {
+    std::ifstream in(file);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    const std::regex constant(pattern, std::regex::icase);
+    std::map<std::string, std::string> out;
+    for (std::sregex_iterator i(text.begin(), text.end(), constant), end; i != end; ++i) {
+      std::string name = (*i)[1];
+      std::ranges::transform(name, name.begin(),
+                             [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+      out[name] = (*i)[2];
+    }
+    return out;
+  };
+  auto in_c = constants_of(CONFORMAL_SOURCE_DIR "/bem_contact/c/conformal_contact.h",
+                           "#define (CONFORMAL_\\w+)[ \\\\\n]+(\\d+)");
+  EXPECT_EQ(in_c.extract("conformal_totals").mapped(), "13"); // the name of a function
+  auto in_fortran = constants_of(CONFORMAL_BINARY_DIR "/bem_contact/c/conformal_contact.f90",
+                                 "parameter :: (conformal_\\w+) = (\\d+)");
+  EXPECT_EQ(in_fortran.extract("conformal_totals_count").mapped(), "13");
+  EXPECT_GT(in_c.size(), 70u);
+  EXPECT_EQ(in_fortran, in_c);
+}
+
 /// The module for Fortran declares the functions of the header, all of them.
 TEST(CTable, FortranHasEveryFunction) {
   const auto functions_of = [](const char* file, const char* pattern) {
@@ -189,7 +217,7 @@ TEST(CTable, FortranHasEveryFunction) {
   };
   const auto in_c = functions_of("conformal_contact.h", "\n(?:int|void|const char\\*) (conformal_\\w+)\\(");
   EXPECT_GT(in_c.size(), 20u);
-  EXPECT_EQ(functions_of("conformal_contact.f90", "(?:function|subroutine) (conformal_\\w+)\\("), in_c);
+  EXPECT_EQ(functions_of("conformal_contact.f90.in", "(?:function|subroutine) (conformal_\\w+)\\("), in_c);
 }
 
 } // namespace

@@ -29,7 +29,7 @@ foreach(header ${public_headers})
   install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder})
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/bem_contact/c/conformal_contact.h
-  ${PROJECT_SOURCE_DIR}/bem_contact/c/conformal_contact.f90 DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  ${PROJECT_BINARY_DIR}/bem_contact/c/conformal_contact.f90 DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
 # Those that a caller writes in a program, for Doxygen: doxygen build/Doxyfile makes build/reference/html.
 set(doxygen_input bem_contact/c/conformal_contact.h)

@@ -37,7 +37,7 @@ class Readers(unittest.TestCase):
         run(*table, "0.5", folder / "scene.toml", "-o", folder / "forces.h5")
         flags = LIBRARY, f"-Wl,-rpath,{LIBRARY.parent}"
         run("gcc", "-std=c99", "-Wall", "-Werror", "-I", C_INTERFACE, EXAMPLES / "table_reader.c", "-o", folder / "c", *flags)
-        run("gfortran", "-Wall", "-Werror", C_INTERFACE / "conformal_contact.f90", EXAMPLES / "table_reader.f90", "-o",
+        run("gfortran", "-Wall", "-Werror", os.environ["FORTRAN"], EXAMPLES / "table_reader.f90", "-o",
             folder / "fortran", *flags, cwd=folder)
         cls.readers = {"Python": [sys.executable, EXAMPLES / "table_reader.py"], "C": [folder / "c"],
                        "Fortran": [folder / "fortran"]}
