@@ -50,10 +50,12 @@ Command add_wear(CLI::App& program);         ///< profiles wear under a load col
 Command add_fatigue(CLI::App& program);      ///< shakedown, damage and stresses of each case of a sweep
 Command add_wheelset(CLI::App& program);     ///< both wheels under the forces on their axle
 Command add_report(CLI::App& program);       ///< a result file as one HTML page
+Command add_plot(CLI::App& program);         ///< a picture of a file; Python draws it
 
 /// All of them, in the order of the program's help.
 inline constexpr Command (*all_commands[])(CLI::App& program) = {
-    add_solve,    add_compare,      add_check, add_info, add_influence, add_profile,  add_sweep,
-    add_conicity, add_creep_curves, add_table, add_wear, add_fatigue,   add_wheelset, add_report};
+    add_solve,   add_compare, add_check,    add_info,         add_influence,
+    add_profile, add_sweep,   add_conicity, add_creep_curves, add_table,
+    add_wear,    add_fatigue, add_wheelset, add_report,       add_plot};
 
 } // namespace bem_contact::app

@@ -103,6 +103,14 @@ void report_of(const PythonResult& r, const std::filesystem::path& page) {
   report::write_report(file, page);
 }
 
+/// Draws the picture of `bem_contact plot`.
+py::object plot_of(const PythonResult& r, const py::object& picture) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "result.h5";
+  save(r, file);
+  return py::module_::import("bem_contact").attr("plot")(file, picture);
+}
+
 /// What stands at a path of the record, "patches/0/Fn". Raises KeyError, which names the nearest paths.
 py::object at_path(PythonResult& r, const std::string& path) {
   if (!r.solved)
@@ -250,6 +258,9 @@ void add_trust(ResultClass& c) {
   c.def("__getitem__", at_path);
   c.def("save", save, "file"_a, "Writes the result file (HDF5) of `bem_contact solve -o`");
   c.def("report", report_of, "page"_a, "Writes the HTML page that `bem_contact report` makes of it");
+  c.def("plot", plot_of, "picture"_a = py::none(),
+        "Draws the picture of `bem_contact plot` and returns the figure (matplotlib). `picture`: where to "
+        "write it (.png, .pdf, .svg); None: nowhere");
   c.def("__repr__", [](const py::object& r) {
     return py::str("<bem_contact.Result: {}, Fz {:.6g} N, {} patches, {}>")
         .format(r.attr("model"), r.attr("Fz"), py::len(r.attr("patches")),

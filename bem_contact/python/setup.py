@@ -52,5 +52,5 @@ class Compiled(Distribution):
         return True  # the wheel is for this kind of machine and this Python
 
 
-setup(version=VERSION, packages=["bem_contact"], package_data={"bem_contact": ["py.typed", "*.pyi"]},
+setup(version=VERSION, packages=["bem_contact", "bem_contact.plotting"], package_data={"bem_contact": ["py.typed", "*.pyi"]},
       cmdclass={"build_py": BuildWithCMake}, distclass=Compiled)

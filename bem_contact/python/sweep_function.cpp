@@ -91,8 +91,13 @@ void change_all(SweepFile& sweep, const SceneChange& change) {
   sweep.axes.push_back({change.key, std::vector<SchemaValue>(sweep.zip ? sweep.size() : 1, change.value)});
 }
 
-py::dict sweep(const py::object& scene, const py::object& changes, const py::object& model,
-               const py::object& folder) {
+/// The package's class, which is a dict.
+py::object as_sweep(const py::dict& columns) {
+  return py::module_::import("bem_contact").attr("Sweep")(columns);
+}
+
+py::object sweep(const py::object& scene, const py::object& changes, const py::object& model,
+                 const py::object& folder) {
   if (model.is_none() && py::isinstance<py::str>(changes)) // the model was the second argument
     return sweep(scene, py::none(), changes, folder);
   SweepFile file = parse_sweep_file(scene_of(scene, folder));
@@ -121,11 +126,11 @@ py::dict sweep(const py::object& scene, const py::object& changes, const py::obj
   const SweepNumbers numbers = numbers_of(cases, columns);
   add_columns(out, columns.cases, numbers.cases);
   if (columns.patches.empty())
-    return out;
+    return as_sweep(out);
   py::dict patches("case"_a = whole(numbers.patch_case), "patch"_a = whole(numbers.patch_rank));
   add_columns(patches, columns.patches, numbers.patches);
   out["patches"] = patches;
-  return out;
+  return as_sweep(out);
 }
 
 } // namespace
@@ -147,9 +152,9 @@ void add_check_and_sweep(py::module_& module) {
       "not "
       "certified or refused), `reason` (what is wrong or doubtful, in words), `model`, `weight`, and the "
       "numbers of a Result under their names (\"pmax\", \"Fx\", \"Fx_error\" ...; nan where there is no "
-      "result); `patches`: the same of all patches, with `case` (from 0) and `patch` (from 1, the largest "
-      "force first). Of wheelsets, the numbers of wheelset(), and `patches` with `left` (1: of the left "
-      "wheel). mm, N, MPa, rad. Raises "
+      "result); `to_frame()` makes a DataFrame of pandas of them; `patches`: the same of all patches, with "
+      "`case` (from 0) and `patch` (from 1, the largest force first). Of wheelsets, the numbers of "
+      "wheelset(), and `patches` with `left` (1: of the left wheel). mm, N, MPa, rad. Raises "
       "InputError for a scene without [sweep] and a value that no scene has. The program solves with several "
       "processes, keeps fields, and goes on after it was stopped.");
 }

@@ -1,3 +1,5 @@
+#include "bem_contact/app/commands/start_python.hpp"
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/h5/table.hpp"
 #include "bem_contact/influence/influence_function.hpp"
 #include "bem_contact/scene/scene_file.hpp"
@@ -483,6 +485,15 @@ TEST_F(CommandLine, AResultIsNoScene) {
     refused(run(std::string(command) + " '" + file + "'"),
             {"is no scene", "HDF5 file: a result file", "bem_contact info"});
   EXPECT_THAT(run("fatigue '" + file + "'").err, HasSubstr("is no scene with a table [sweep]"));
+}
+
+TEST_F(CommandLine, WithoutPythonPlotNamesThePackages) {
+  try {
+    app::become_python("/no/such/python3", "bem_contact.plotting", {"r.h5"});
+  } catch (const InputError& error) { // exit code 2
+    EXPECT_THAT(error.what(), HasSubstr("there is no '/no/such/python3'"));
+    EXPECT_THAT(error.what(), HasSubstr("apt-get install python3 python3-h5py python3-matplotlib"));
+  }
 }
 
 TEST_F(CommandLine, AFolderIsNoOutputAndNothingIsLeftBesideIt) {

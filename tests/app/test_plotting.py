@@ -1,4 +1,4 @@
-"""What tools/plotting computes: limits of the shakedown diagram against closed forms and known numbers; numbers of tables in words.
+"""What bem_contact.plotting computes: limits of the shakedown diagram against closed forms and known numbers; numbers of tables in words.
 
 Damaged files are drawn or refused.
 """
@@ -7,6 +7,7 @@ import ast
 import contextlib
 import io
 import os
+import re
 import runpy
 import shutil
 import subprocess
@@ -20,10 +21,90 @@ from unittest import mock
 import h5py
 import numpy as np
 
+import bem_contact
+from bem_contact.plotting import command, results, shakedown, style
+
 TOOLS = Path(__file__).resolve().parents[2] / "tools"
-sys.path.insert(0, str(TOOLS))
-sys.dont_write_bytecode = True
-from plotting import results, shakedown, style  # noqa: E402
+PROGRAM = os.environ["BEM_CONTACT"]
+
+
+class Doors(unittest.TestCase):
+    """One picture, whoever asks for it."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.temporary.name)
+        cls.result = bem_contact.solve(TOOLS.parent / "data" / "scenes" / "hertz.toml")
+        cls.file = cls.folder / "hertz.h5"
+        cls.result.save(cls.file)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def call(self, *words, **more):
+        return subprocess.run([*map(str, words)], capture_output=True, text=True, cwd=self.folder,
+                              env={name: value for name, value in os.environ.items() if name != "PYTHONPATH"} | more)
+
+    def test_the_program_the_tool_and_python_draw_the_same(self):
+        figure = self.result.plot(self.folder / "result.svg")
+        self.assertEqual(len(figure.axes), 5)
+        self.assertIsNone(bem_contact.plot(self.file).canvas.manager, "no window")
+        bem_contact.plot(self.file, self.folder / "file.svg")
+        for words, name in (((PROGRAM, "plot"), "program"), ((TOOLS / "plot",), "tool")):
+            done = self.call(*words, self.file, "-o", f"{name}.svg", CONFORMAL_BIN=str(Path(PROGRAM).parent))
+            self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
+        done = self.call(sys.executable, "-m", "bem_contact", "plot", self.file, PYTHONPATH=os.environ["PYTHONPATH"])
+        self.assertEqual((done.returncode, done.stderr), (0, "hertz.png written\n"))
+        texts = {name: re.findall(r"<!-- (.*?) -->", (self.folder / f"{name}.svg").read_text()) for name in ("result", "file", "program", "tool")}
+        self.assertGreater(len(texts["result"]), 40)
+        for name, found in texts.items():
+            self.assertEqual(found, texts["result"], name)
+
+    def test_profiles_take_the_options_of_the_command_profile(self):
+        wheel = TOOLS.parent / "data" / "bodies" / "hollow_wheel.txt"
+        for words in ((wheel, "S1002", "-o", "w.png", "--kind", "wheel"), (wheel, "--kind", "wheel", "--smoothing", "8", "-o", "w.png")):
+            done = self.call(PROGRAM, "plot", *words)
+            self.assertEqual((done.returncode, done.stderr.splitlines()[-1]), (0, "w.png written"))
+        figure = bem_contact.plot(wheel, others=["S1002"], options=["--kind", "wheel"])
+        self.assertEqual(figure.axes[0].get_legend_handles_labels()[1], ["S1002", "hollow_wheel.txt"])
+        with self.assertRaisesRegex(bem_contact.InputError, "--kind"):
+            bem_contact.plot(wheel, options=["--kind", "sleeper"])
+
+    def test_what_cannot_be_drawn_raises_or_ends_with_2(self):
+        for words, told in (((), "no file is named"), (("none.h5",), "there is no such file"), ((self.file, "-o", "x.txt"), "is no picture")):
+            done = self.call(PROGRAM, "plot", *words)
+            self.assertEqual(done.returncode, 2)
+            self.assertRegex(done.stderr, rf"\Aerror: .*{told}.*\n\Z")
+        with self.assertRaisesRegex(bem_contact.InputError, "there is no such file"):
+            bem_contact.plot(self.folder / "none.h5")
+        with self.assertRaisesRegex(bem_contact.InputError, "is no picture"):
+            self.result.plot(self.folder / "x.txt")
+        with self.assertRaisesRegex(bem_contact.InputError, "is drawn alone"):
+            bem_contact.plot(self.file, others=["S1002"])
+
+    def test_a_missing_library_is_named_with_its_package(self):
+        for module in ("matplotlib", "h5py"):
+            folder = self.folder / f"without_{module}"
+            folder.mkdir()
+            (folder / f"{module}.py").write_text(f"raise ModuleNotFoundError(name={module!r})\n")
+            done = self.call(PROGRAM, "plot", self.file, PYTHONPATH=str(folder))
+            self.assertEqual(done.returncode, 2)
+            self.assertRegex(done.stderr, rf"\Aerror: .* has no module {module}\) .* apt-get install python3-{module}\n\Z")
+
+    def test_pictures_need_no_compiled_part(self):
+        package = TOOLS.parent / "bem_contact" / "python"
+        done = self.call(sys.executable, "-B", "-m", "bem_contact.plotting", self.file, "-o", "source.png", PYTHONPATH=str(package))
+        self.assertEqual((done.returncode, done.stderr), (0, "source.png written\n"))
+        done = self.call(sys.executable, "-B", "-c", "from bem_contact import solve", PYTHONPATH=str(package))
+        self.assertIn("ImportError: the compiled part of bem_contact is missing", done.stderr)
+
+    def test_help_stands_wherever_it_is_asked_for(self):
+        whole = self.call(PROGRAM, "plot", "--help")
+        self.assertIn("You should see", whole.stdout)
+        for words in ((self.file, "--help"), ("S1002", "--kind", "wheel", "--help")):
+            self.assertEqual(self.call(PROGRAM, "plot", *words).stdout, whole.stdout)
 
 
 class Stresses(unittest.TestCase):
@@ -100,11 +181,11 @@ class Numbers(unittest.TestCase):
 
 
 def tool(name, *arguments, told=None):
-    """The exit code of a tool, in this process: a start takes a second. A traceback is an error of the test."""
+    """The exit code of a tool, or of `bem_contact plot`, in this process: a start takes a second. A traceback is an error of the test."""
     told = told or io.StringIO()
     with mock.patch.object(sys, "argv", [name, *map(str, arguments)]), contextlib.redirect_stderr(told):
         try:
-            runpy.run_path(str(TOOLS / name), run_name="__main__")
+            command.main() if name == "plot" else runpy.run_path(str(TOOLS / name), run_name="__main__")
         except SystemExit as end:
             return end.code
     return 0
@@ -124,7 +205,7 @@ sweep.load.force = [1e3, 2e3]
             folder = Path(temporary)
             whole, file, picture = folder / "whole.h5", folder / "sweep.h5", folder / "s.png"
             (folder / "sweep.toml").write_text(self.SWEEP)
-            subprocess.run([os.environ["BEM_CONTACT"], "sweep", folder / "sweep.toml", "-o", whole], check=True, capture_output=True)
+            subprocess.run([PROGRAM, "sweep", folder / "sweep.toml", "-o", whole], check=True, capture_output=True)
             self.assertEqual(tool("plot", whole, "-o", picture), 0)
             for name in ("status", "load.force", "Fx", "patches/y"):
                 for gone in (False, True):
@@ -162,7 +243,7 @@ sweep.load.force = [1e3, 2e3]
 
 
 class Results(unittest.TestCase):
-    """tools/paraview and tools/plot on a result: what they write over, names, and damaged files."""
+    """tools/paraview and bem_contact plot on a result: what they write over, names, and damaged files."""
 
     @classmethod
     def setUpClass(cls):
@@ -170,7 +251,7 @@ class Results(unittest.TestCase):
         cls.folder = Path(cls.temporary.name)
         cls.result = cls.folder / "r.h5"
         scene = TOOLS.parent / "data" / "scenes" / "stresses.toml"
-        subprocess.run([os.environ["BEM_CONTACT"], "solve", scene, "-o", cls.result], check=True, capture_output=True)
+        subprocess.run([PROGRAM, "solve", scene, "-o", cls.result], check=True, capture_output=True)
 
     @classmethod
     def tearDownClass(cls):

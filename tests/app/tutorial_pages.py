@@ -24,6 +24,7 @@ import h5py
 
 import bem_contact
 import picture_faults
+from bem_contact.plotting import command
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = ROOT / "data" / "tutorial"
@@ -94,8 +95,7 @@ class Pages(unittest.TestCase):
         for name in ("data", "tools"):
             (cls.folder / name).symlink_to(ROOT / name)
         (cls.folder / "demo").mkdir()
-        sys.path.insert(0, str(ROOT / "tools"))
-        from plotting import style
+        from bem_contact.plotting import style
         cls.pictures, save = {}, style.save
 
         def save_and_look(figure, output):
@@ -116,10 +116,14 @@ class Pages(unittest.TestCase):
         cls.temporary.cleanup()
 
     def call(self, line):
-        """The program in a process of its own; the tools in this one, which has their libraries already."""
+        """The program in a process of its own; pictures and tools in this one, which has their libraries already."""
         words = shlex.split(line, comments=True)
         if words[0] == "mkdir":
             return ""
+        if words[:2] == ["bem_contact", "plot"]:
+            with contextlib.redirect_stderr(io.StringIO()) as said:
+                command.main(words[2:])
+            return said.getvalue()
         if words[0] == "bem_contact":
             done = subprocess.run([PROGRAM, *words[1:]], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
             self.assertEqual(done.returncode, 0, f"{line}:\n{done.stdout}")
@@ -223,11 +227,11 @@ class Pages(unittest.TestCase):
         self.assertIn("#define CONFORMAL_PMAX 8", header)
 
     def test_what_cannot_be_drawn_is_refused(self):
-        for line, words in (("tools/plot no_such.h5", "there is no such file"), ("tools/plot demo", "has no wear.csv"),
-                            ("tools/plot data/influence/small_rail.h5", "may be an influence file"),
-                            ("tools/plot data/scenes/wear_in_a_curve.csv", "Draw the HDF5 file"),
-                            ("tools/plot S1002 -o S1002.txt", "is no picture"), ("tools/plot no_such#2", "there is no such file")):
-            done = subprocess.run(shlex.split(line), stderr=subprocess.PIPE, text=True)
+        for line, words in (("bem_contact plot no_such.h5", "there is no such file"), ("bem_contact plot demo", "has no wear.csv"),
+                            ("bem_contact plot data/influence/small_rail.h5", "may be an influence file"),
+                            ("bem_contact plot data/scenes/wear_in_a_curve.csv", "Draw the HDF5 file"),
+                            ("bem_contact plot S1002 -o S1002.txt", "is no picture"), ("bem_contact plot no_such#2", "there is no such file")):
+            done = subprocess.run([PROGRAM, *shlex.split(line)[1:]], stderr=subprocess.PIPE, text=True)
             self.assertEqual(done.returncode, 2, line)
             self.assertIn(words, done.stderr)
 
@@ -239,11 +243,11 @@ class Pages(unittest.TestCase):
                               ("conformal_small", "compare")):
             more = "--models halfspace tangent_plane fem" if command == "compare" else ""
             self.call(f"bem_contact {command} {scenes / name}.toml {more} -o demo/{name}.h5")
-            self.call(f"tools/plot demo/{name}.h5 -o demo/{name}.png")
+            self.call(f"bem_contact plot demo/{name}.h5 -o demo/{name}.png")
             self.assertEqual(self.pictures[f"demo/{name}.png"], [])
 
     def test_a_picture_that_cannot_be_read_is_found(self):
-        from plotting import style
+        from bem_contact.plotting import style
         figure, axes = style.panels(1, 1, (4, 3))
         axes[0, 0].plot([0, 1], [0, 1], "o", label="under")
         axes[0, 0].legend(loc="lower left")

@@ -104,11 +104,14 @@ class Installed(unittest.TestCase):
         run(program, "solve", self.scene, "-o", self.work / "r.h5")
         run(program, "report", self.work / "r.h5", "-o", self.work / "r.html")  # the plotting library is in the program
         self.assertGreater((self.work / "r.html").stat().st_size, 1e6)
-        plot = self.prefix / "share/conformal_contact/tools/plot"  # it finds the program of its own tree
-        for what in (self.work / "r.h5", "S1002"):
-            run(plot, what, "-o", self.work / "picture.png", env={"PATH": "/usr/bin:/bin"})
-            self.assertGreater((self.work / "picture.png").stat().st_size, 1e4)
-            (self.work / "picture.png").unlink()
+        # Both find the program and the package of their own tree.
+        for plot in ((program, "plot"), (self.prefix / "share/conformal_contact/tools/plot",)):
+            for what in (self.work / "r.h5", "S1002"):
+                run(*plot, what, "-o", self.work / "picture.png", env={"PATH": "/usr/bin:/bin"})
+                self.assertGreater((self.work / "picture.png").stat().st_size, 1e4)
+                (self.work / "picture.png").unlink()
+        run(self.prefix / "share/conformal_contact/tools/paraview", self.work / "r.h5", "-o", self.work / "r.vtm", env={"PATH": "/usr/bin:/bin"})
+        self.assertTrue((self.work / "r.vtm").exists())
         pages = self.prefix / "share/man/man1"
         for name in ("bem_contact", "bem_contact-solve", "bem_contact-sweep", "bem_contact-influence-expand"):
             self.assertIn("--help".replace("-", "\\-"), (pages / f"{name}.1").read_text())
@@ -149,6 +152,8 @@ COMP_WORDS=(bem_contact comp); COMP_CWORD=1; _bem_contact; echo "${{COMPREPLY[@]
         for program in ((python, "-m", "bem_contact"), (folder / "bin" / "bem_contact",)):
             self.assertEqual(run(*program, "--version", cwd="/", env=clean).strip(), f"bem_contact {VERSION}")
             self.assertIn("certified: yes", run(*program, "solve", self.scene, cwd="/", env=clean))
+            run(*program, "plot", "S1002", "-o", self.work / "pip.png", cwd="/", env=clean)
+            (self.work / "pip.png").unlink()
 
     def test_nothing_points_back(self):
         """No file of the installed tree knows where it was built or first installed."""

@@ -4,9 +4,12 @@ import csv
 import os
 import re
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
+from unittest import mock
 
 import numpy as np
 
@@ -128,6 +131,19 @@ class Sweep(unittest.TestCase):
     def test_wheelsets(self):
         found = self.same_as_the_program(SCENES / "wheelset_sweep.toml")
         self.assertEqual(found["right_model"], ["halfspace"] * 18)
+
+    def test_a_frame_has_a_row_for_each_case_or_each_patch(self):
+        """Of what pandas is handed; it need not be installed."""
+        found = bem_contact.sweep(SCENES / "cases_two_areas.toml")
+        with mock.patch.dict(sys.modules, pandas=SimpleNamespace(DataFrame=dict)):
+            cases, patches = found.to_frame(), found.to_frame("patches")
+        self.assertEqual(set(cases), set(found) - {"patches"})
+        self.assertEqual({len(column) for column in cases.values()}, {len(found["status"])})
+        self.assertIn("position.lateral", cases)
+        self.assertEqual({len(column) for column in patches.values()}, {len(found["patches"]["case"])})
+        self.assertGreater(len(patches["Fn"]), len(cases["Fz"]))
+        with mock.patch.dict(sys.modules, pandas=None), self.assertRaisesRegex(bem_contact.InputError, "no module pandas.* python3-pandas"):
+            found.to_frame()
 
     def test_a_case_that_is_refused_has_no_numbers(self):
         scene = {"kind": "patch", "load.force": 1e4, "grid": {"dx": 0.5, "ds": 0.5, "mx": 24, "ms": 24}, "gap": {"a": 1e-3, "b": 1e-3},

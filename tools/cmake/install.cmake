@@ -3,7 +3,6 @@
 # themselves, so that the installed tree may be moved.
 include(CMakePackageConfigHelpers)
 
-set(CONFORMAL_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where the Python package goes, below the prefix")
 set(cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/conformal_contact)
 
 # The headers of a C++ caller: what Sequence takes and returns, what the rooms above it answer, and all that these include.
@@ -91,11 +90,9 @@ endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/conformal-contact RENAME copyright)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact
   PATTERN __pycache__ EXCLUDE)
-# Pictures: share/conformal_contact/tools/plot finds the program of the same tree.
+# Pictures: the program and the Python package of the same tree draw them.
 install(PROGRAMS ${PROJECT_SOURCE_DIR}/tools/plot ${PROJECT_SOURCE_DIR}/tools/paraview
   DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact/tools)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/plotting DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact/tools
-  PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/scenes ${PROJECT_SOURCE_DIR}/data/bodies ${PROJECT_SOURCE_DIR}/data/influence
   DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact)
 

@@ -27,7 +27,7 @@ list(GET python_version 1 python_minor)
 math(EXPR python_next "${python_minor} + 1")
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
   "python3 (>= ${python_major}.${python_minor}), python3 (<< ${python_major}.${python_next}), python3-numpy")
-# tools/plot and tools/paraview.
+# bem_contact plot and tools/paraview.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-h5py, python3-matplotlib")
 # With the component `static` of find_package the libraries that ours are built with are linked again.
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS

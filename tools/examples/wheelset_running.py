@@ -122,8 +122,7 @@ def report_limit_cycle(picture):
 
 
 def draw(runs, picture):
-    sys.path.insert(0, str(HERE.parent))
-    from plotting import style
+    from bem_contact.plotting import style
     style.use()
     figure, ((lateral,), (force,)) = style.panels(2, 1, (9, 6.4), sharex=True)
     for (speed, motion, forces), dash in zip(runs, ("-", "--")):

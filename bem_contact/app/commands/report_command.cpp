@@ -42,7 +42,7 @@ Command add_report(CLI::App& program) {
                   fmt::format("'{}' cannot be shown as a page", arguments->file),
                   "it is no HDF5 file; report takes what solve, compare, sweep, creep-curves, conicity and "
                   "wheelset wrote with -o, and the wear.h5 of wear",
-                  "Give one of these; open a CSV file in a spreadsheet, or draw it with tools/plot.");
+                  "Give one of these; open a CSV file in a spreadsheet, or draw it with bem_contact plot.");
             require_page_name({.option = "--output", .file = arguments->output});
             report::write_report(arguments->file, arguments->output);
             return success;

@@ -17,22 +17,30 @@ Each command of the program has a function here, or is called as a command:
     profile       profile()                               wear          wear()
     sweep         sweep()                                 fatigue       fatigue(), of a Result
     conicity      conicity()                              report        report()
+    plot          plot()
 
     info, influence, options such as --csv    python3 -m bem_contact info FILE.h5, from a shell
 
 `help(bem_contact.solve)` and `help(bem_contact.Result)` say what goes in and what comes out; each function has such a text.
 """
 
+from .cases import Sweep
+from .plotting import plot
+
 try:
     from ._core import ConvergenceError, Error, InputError, Result, Sequence, Table, __commit__, __version__, check, compare, conicity, creep_curves, fatigue, profile, read_table, report, solve, sweep, table, wear, wheelset
 except ModuleNotFoundError as missing:
     if missing.name != f"{__name__}._core":
         raise
-    import sys
-    raise ImportError(
-        f"the compiled part of bem_contact is missing (it was not built, or not for this Python {sys.version_info.major}."
-        f"{sys.version_info.minor}) Call cmake --build --preset full --target bem_contact_python, and use "
-        "/usr/bin/python3.", name=missing.name) from None
 
-__all__ = ["ConvergenceError", "Error", "InputError", "Result", "Sequence", "Table", "__commit__", "__version__", "check", "compare", "conicity",
-           "creep_curves", "fatigue", "profile", "read_table", "report", "solve", "sweep", "table", "wear", "wheelset"]
+    def __getattr__(name):  # pictures need no compiled part
+        import sys
+        if name.startswith("__"):
+            raise AttributeError(name)
+        raise ImportError(
+            f"the compiled part of bem_contact is missing (it was not built, or not for this Python {sys.version_info.major}."
+            f"{sys.version_info.minor}) Call cmake --build --preset full --target bem_contact_python, and use "
+            "/usr/bin/python3.", name=f"{__name__}._core")
+
+__all__ = ["ConvergenceError", "Error", "InputError", "Result", "Sequence", "Sweep", "Table", "__commit__", "__version__", "check", "compare", "conicity",
+           "creep_curves", "fatigue", "plot", "profile", "read_table", "report", "solve", "sweep", "table", "wear", "wheelset"]

@@ -129,6 +129,7 @@ class Result:
     def __getitem__(self, path: str) -> Any: ...
     def save(self, file: str | PathLike[str]) -> None: ...
     def report(self, page: str | PathLike[str]) -> None: ...
+    def plot(self, picture: str | PathLike[str] | None = None) -> Any: ...
 
 class Sequence:
     def __init__(
@@ -165,9 +166,15 @@ def check(
     A scene with a table [wheelset] is described as wheelset() would begin to solve it.
     """
 
+class Sweep(dict[str, Any]):
+    """The columns of a sweep by their names."""
+
+    def to_frame(self, rows: Literal["cases", "patches"] = "cases") -> Any:
+        """A DataFrame of pandas: one row for each case, or for each patch. InputError where pandas is missing."""
+
 def sweep(
     scene: _Scene, changes: _Changes = None, model: _Model = None, *, folder: str | PathLike[str] | None = None
-) -> dict[str, Any]:
+) -> Sweep:
     """The cases of a table [sweep] as columns: the keys swept over, "status", "reason", "model", the numbers, "patches"."""
 
 def profile(
@@ -315,6 +322,15 @@ def fatigue(
     folder: str | PathLike[str] | None = None,
 ) -> dict[str, Any]:
     """The same of each case of a table [sweep], as arrays over the patches of all cases, and the damage of the collective."""
+
+def plot(
+    file: str | PathLike[str],
+    picture: str | PathLike[str] | None = None,
+    *,
+    others: _List[str | PathLike[str]] = (),
+    options: _List[str] = (),
+) -> Any:
+    """A picture of what bem_contact wrote, or of a profile: matplotlib's Figure. `picture`: where it is written, too."""
 
 def report(file: str | PathLike[str], output: str | PathLike[str]) -> None:
     """One HTML page of a result, a comparison, a sweep, creep curves, conicity, a wheelset or wear (HDF5): words, tables, figures."""

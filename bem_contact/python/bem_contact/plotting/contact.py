@@ -7,7 +7,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 
 from . import style
-from .kinds import sizes_of, value
+from .former import certificate_of, sizes_of, value
 
 ADHERES = 1
 MOST_ROWS, MOST_COLUMNS = 8, 12  # of arrows
@@ -20,7 +20,7 @@ class Contact:
     def __init__(self, model, coordinates, group):
         self.model, self.group = model, group
         self.x, self.s, self.y, self.z = (coordinates[c][:] for c in "xsyz")
-        self.dx, self.ds = (value(*place) for place in sizes_of(coordinates, group))
+        self.dx, self.ds = sizes_of(coordinates, group)
         self.friction = value(coordinates, "friction")
         self.left = bool(re.search("y (to the )?left", str(coordinates.attrs.get("frame", ""))))
         self.rail, self.wheel = coordinates["rail_profile"][:], coordinates["wheel_profile"][:]
@@ -29,10 +29,7 @@ class Contact:
 
     def verdict(self):
         """Whether it is certified, and its worst violation."""
-        group = self.group
-        certified = value(group, "certified", "certificate_holds")
-        worst = self.numbers["certificate"] if "certificate" in self.numbers else value(group, "certificate_worst")
-        tolerance = group["certificate/tolerance"][()] if "certificate/tolerance" in group else value(group, "certificate_tolerance")
+        certified, worst, tolerance = certificate_of(self.group)
         return f"{'certified' if certified else 'NOT certified'}: {worst:.0e}, at most {tolerance:.0e}"
 
     @property

@@ -4,7 +4,8 @@ import h5py
 import numpy as np
 
 from . import style
-from .kinds import require_columns, value
+from .former import curves_of
+from .kinds import require_columns
 
 AXES = {"xi": "longitudinal creepage xi", "eta": "lateral creepage eta", "phi": "spin phi, 1/mm"}
 EXPLAINED = ("Each panel changes one creepage, and the other two stay as in the scene. With little creepage the force grows along Kalker's\n"
@@ -33,9 +34,8 @@ def draw_curve(panel, name, curve, scales, kalker):
 
 def draw(files):
     with h5py.File(files[0]) as file:
-        curves = file["curves"] if "curves" in file else file  # before 0.2
+        curves, force, bound, radius = curves_of(file)
         names = [name for name in AXES if name in curves]
-        bound, radius = value(file, "bound", "bound_N"), value(file, "radius", "radius_mm")
         figure, axes = style.panels(1, len(names), (1.2 + 4.4 * len(names), 5.2), sharey=True)
         for panel, name in zip(axes[0], names):
             require_columns(curves[name])
@@ -44,6 +44,6 @@ def draw(files):
         axes[0, 0].set_ylabel("force on the rail over its bound")
         middle = axes[0, len(names) // 2]
         style.legend_beside(middle, below=True, columns=5 if len(names) > 1 else 2)
-        figure.suptitle(f"Creep curves: vertical force {value(file, 'Fz', 'Fz_N'):.6g} N, bound of friction μ Fn = {bound:.6g} N, "
+        figure.suptitle(f"Creep curves: vertical force {force:.6g} N, bound of friction μ Fn = {bound:.6g} N, "
                         f"mean radius of the contact c = {radius:.3g} mm\n" + EXPLAINED, fontsize=10.5)
         return figure

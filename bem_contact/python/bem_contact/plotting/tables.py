@@ -4,7 +4,8 @@ import h5py
 import numpy as np
 
 from . import style
-from .kinds import text, value
+from .former import table_names, value
+from .kinds import text
 
 DRAWN = 5  # columns of the table that a picture draws
 LINES = 4  # values of the second axis
@@ -79,7 +80,7 @@ def draw_nested(axis, file, axes, column):
 
 def draw(files):
     with h5py.File(files[0]) as file:
-        axes, columns, held = (value(file, *names).split() for names in (("axis_names", "axes"), ("column_names", "columns"), ("held",)))
+        axes, columns, held = table_names(file)
         varies = [c for c in columns if np.ptp(file[f"values/{c}"][:]) > LEAST_CHANGE * file[f"scale/{c}"][()]]
         shown = sorted(varies, key=lambda c: c not in held)[:DRAWN]
         rows = 1 + len(shown) // 3

@@ -4,11 +4,10 @@ marks say the same without colours. Numbers have names that people read, not tho
 import math
 
 import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from matplotlib.transforms import ScaledTranslation
 
@@ -60,7 +59,7 @@ WORDS = {  # of the names in the files; a name that is not here stands as it is
 
 
 def use():
-    plt.rcParams.update({
+    matplotlib.rcParams.update({
         "font.family": "DejaVu Sans", "font.size": 10, "text.color": INK, "axes.edgecolor": FRAME, "axes.labelcolor": INK,
         "xtick.color": INK, "ytick.color": INK, "axes.titlelocation": "left", "axes.titleweight": "bold", "axes.titlesize": 11,
         "axes.grid": True, "axes.axisbelow": True, "grid.color": GRID, "grid.linewidth": 0.6, "legend.frameon": True,
@@ -68,9 +67,17 @@ def use():
         "figure.constrained_layout.h_pad": 0.12, "figure.constrained_layout.w_pad": 0.12})
 
 
+def figure(size):
+    """An empty one, inches. No window shows it, and pyplot does not know it."""
+    made = Figure(size, layout="constrained")
+    FigureCanvasAgg(made)
+    return made
+
+
 def panels(rows, columns, size, **options):
     """A figure and its panels, always as an array [rows][columns]."""
-    return plt.subplots(rows, columns, figsize=size, layout="constrained", squeeze=False, **options)
+    made = figure(size)
+    return made, made.subplots(rows, columns, squeeze=False, **options)
 
 
 def words(name):

@@ -4,10 +4,9 @@ import base64
 import html
 import io
 
-import matplotlib.pyplot as plt
 from matplotlib.lines import Line2D
 
-from . import style
+from bem_contact.plotting import style
 
 NAMES = {"pmax": "largest pressure", "area": "area in contact", "Fx": "Fx", "Fy": "Fy", "Mz": "Mz", "T_gamma": "friction power"}
 MARKS = {"halfspace": "o", "tangent_plane": "s", "fem": "D"}
@@ -122,7 +121,6 @@ def table(head, lines):
 def picture(figure):
     out = io.BytesIO()
     style.save(figure, out)
-    plt.close(figure)
     return f'<p><img alt="error over processor time" src="data:image/png;base64,{base64.b64encode(out.getvalue()).decode()}"></p>'
 
 

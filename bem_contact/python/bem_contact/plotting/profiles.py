@@ -1,23 +1,18 @@
 """Profiles and their curvature over arc length; the first is drawn in ink, the others behind it."""
 
-import os
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
 import numpy as np
 
+from ..program import program_file
 from . import style
-from .kinds import STANDARDS, kind_of, refuse
+from .kinds import STANDARDS, kind_of
+from .refusals import InputError, refuse
 
 BEHIND = ((style.BOUND, "--"), (style.RAIL, "-."), (style.WHEEL, ":"))
-
-
-def program():
-    """In the folder CONFORMAL_BIN, else in a build folder or that of the installed tree, else on the PATH."""
-    root = Path(__file__).resolve().parents[2]
-    folders = [os.environ.get("CONFORMAL_BIN"), root / "build" / "bin", root / "build-contact-only" / "bin", root.parents[1] / "bin"]
-    return next((Path(f) / "bem_contact" for f in folders if f and (Path(f) / "bem_contact").exists()), "bem_contact")
 
 
 def read(name, options, on=None):
@@ -27,14 +22,15 @@ def read(name, options, on=None):
         return np.loadtxt(name, delimiter=",", skiprows=1, unpack=True)
     with tempfile.TemporaryDirectory() as folder:
         csv = Path(folder) / "profile.csv"
-        try:
-            asked = ["--on", on, *options] if on else [] if name in STANDARDS else options
-            done = subprocess.run([program(), "profile", name, "--csv", csv, *asked],
-                                  stdout=subprocess.DEVNULL)  # its table of radii; warnings go to the terminal
-        except FileNotFoundError:
+        program = program_file()
+        if program is None:
             refuse(f"'{name}' cannot be read", "the program bem_contact was not found", "Put it on the PATH, or its folder into CONFORMAL_BIN.")
+        asked = ["--on", on, *options] if on else [] if name in STANDARDS else options
+        done = subprocess.run([program, "profile", name, "--csv", csv, *asked], stdout=subprocess.DEVNULL,  # its table of radii
+                              stderr=subprocess.PIPE, text=True, errors="replace")
         if done.returncode != 0:
-            raise SystemExit(done.returncode)
+            raise InputError(done.stderr.strip().removeprefix("error: "))
+        sys.stderr.write(done.stderr)
         return np.loadtxt(csv, delimiter=",", skiprows=1, unpack=True)
 
 

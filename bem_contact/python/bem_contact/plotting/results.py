@@ -5,10 +5,10 @@ import numpy as np
 
 from . import style
 from .contact import Contact, draw_cut, draw_history, draw_patch, draw_section, draw_stresses, patch_key
-from .kinds import results_in, text
+from .former import results_in, set_of, wheel_of
+from .kinds import text
 
 SETS = {"at_equal_forces": "At equal forces", "at_equal_position": "At equal position and vertical force"}
-SETS |= {name.removeprefix("at_"): title for name, title in SETS.items()}  # of files before 0.2
 NUMBERS = (("pmax", "MPa", 1), ("area", "mm²", 1), ("Fx", "N", 1), ("Fy", "N", 1), ("Fz", "N", 1), ("Mz", "N mm", 1), ("approach", "mm", 1),
            ("lateral", "mm", 1), ("free_rolling_xi", "‰", 1e3), ("Tmax_rail", "°C", 1), ("Tmax_wheel", "°C", 1))  # scale last
 SHARES = ("pmax", "area")  # differences of these are relative
@@ -86,9 +86,13 @@ def one_window(axes, contacts):
         axis.set(xlim=(limits[:, 0, 0].min(), limits[:, 0, 1].max()), ylim=(limits[:, 1, 0].min(), limits[:, 1, 1].max()))
 
 
+def only_contact(group):
+    return next(Contact(model, *parts) for model, parts in results_in(group).items())
+
+
 def draw_result(files):
     with h5py.File(files[0]) as file:
-        contact = next(Contact(model, *parts) for model, parts in results_in(file).items())
+        contact = only_contact(file)
         stresses = contact.group.get("stresses")
         figure, axes = style.panels(2, 2, (12, 8.6), width_ratios=(1.35, 1), height_ratios=(1.5, 1))
         draw_patches(figure, axes[:1, 0], [contact], [style.MODELS[contact.model][0]])
@@ -137,13 +141,13 @@ def patch_height(contacts):
 
 def draw_comparison(files):
     with h5py.File(files[0]) as file:
-        name = next(name for name in SETS if name in file)
-        found = results_in(file[name])
+        name, group = set_of(file)
+        found = results_in(group)
         contacts = [Contact(m, *found[m]) for m in style.MODELS.those_of(found)]
         lines = list(numbers_of(contacts[::-1]))  # the simplest model first, as the program prints
         rows = -(-len(contacts) // 2)
         heights = (rows * patch_height(contacts), 0.3, 3.6, 0.5 + 0.27 * len(lines))
-        figure = style.plt.figure(figsize=(10, sum(heights)), layout="constrained")
+        figure = style.figure((10, sum(heights)))
         patches, key, details, table = figure.add_gridspec(4, 1, height_ratios=heights)
         panels = patches.subgridspec(rows, 2)
         axes = [figure.add_subplot(panels[k // 2, k % 2]) for k in range(len(contacts))]
@@ -171,8 +175,7 @@ def in_table(value, unit):
 def draw_wheelset(files):
     """The left wheel on the left: both patches in the frame of their side, and a table in the track frame."""
     with h5py.File(files[0]) as file:
-        of = lambda side: file[side].get("result", file[side])  # noqa: E731
-        contacts = [Contact(text(of(side).attrs["model"]), of(side), of(side)) for side in SIDES]
+        contacts = [only_contact(wheel_of(file, side)) for side in SIDES]
         figure, axes = style.panels(3, 2, (12.5, 13), height_ratios=(1, 1.1, 0.6))
         draw_patches(figure, axes[0], contacts, [f"{side.capitalize()} wheel" for side in SIDES])
         patch_key(axes[0, 0], contacts, columns=1)

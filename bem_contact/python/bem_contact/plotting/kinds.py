@@ -2,11 +2,11 @@
 
 import math
 import os
-import re
-import sys
 from pathlib import Path
 
 import h5py
+
+from .refusals import InputError, refuse
 
 STANDARDS = ("60E1", "60E2", "54E1", "46E3", "S1002")
 FORMATS = ("result", "comparison", "sweep", "creep curves", "conicity", "wheelset", "table", "wear", "fatigue")
@@ -17,38 +17,6 @@ HEADS = {"FI_surf": "fatigue", "s_mm,y_mm,z_mm,inclination_rad": "profile table"
 
 def text(value):
     return value.decode() if isinstance(value, bytes) else str(value)
-
-
-def value(group, *names):
-    """The number or text of that name in a group; further names are those of files before 0.2, where numbers were attributes."""
-    for name in names:
-        if name in group.attrs:
-            found = group.attrs[name]
-            return text(found) if isinstance(found, (bytes, str)) else float(found)
-        if name in group and isinstance(group[name], h5py.Dataset):
-            return float(group[name][()])
-    raise KeyError(names[0])
-
-
-def results_in(group):
-    """{model: (coordinates, result)} of a group. Files before 0.2 have the fields of a result in a group named as its model."""
-    if "p_n" in group:
-        return {text(group.attrs["model"]): (group, group)}
-    return {name: (item if "x" in item else group, item) for name, item in group.items() if isinstance(item, h5py.Group) and "p_n" in item}
-
-
-def sizes_of(coordinates, result):
-    """Where the length and the width of an element stand: groups and names."""
-    if "dx_mm" in coordinates.attrs:
-        return (coordinates, "dx_mm"), (coordinates, "ds_mm")
-    return (result["quantities"], "dx"), (result["quantities"], "ds")
-
-
-def refuse(problem, why, what_to_do):
-    """Ends the program as all programs here do where the input is wrong."""
-    message = re.sub(r"(\S{90})\S{60,}(\S{50})", r"\1 ... \2", f"error: {problem} ({why}) {what_to_do}")  # names and values
-    print(message.encode(errors="replace").decode(), file=sys.stderr)
-    raise SystemExit(2)
 
 
 def require_output(output, inputs):
@@ -63,6 +31,8 @@ def from_file(file, action):
     """What `action` makes of a file; one that is not what it says is refused."""
     try:
         return action()
+    except InputError:
+        raise
     except KeyError as error:
         refuse(f"'{file}' cannot be used", f"it lacks something: {error}", "Make it again with this version of bem_contact.")
     except (ArithmeticError, AttributeError, IndexError, OSError, RuntimeError, StopIteration, TypeError, ValueError) as error:

@@ -3,7 +3,8 @@
 import h5py
 
 from . import style
-from .kinds import require_columns, text
+from .former import bodies_of
+from .kinds import require_columns
 
 SIDES = {"right": ("o", 3.2), "left": ("x", 3.6)}
 
@@ -13,7 +14,7 @@ def draw(files):
         for group in ("function", "conicity"):
             require_columns(file[group])
         data = {name: values[:] for group in ("function", "conicity") for name, values in file[group].items() if isinstance(values, h5py.Dataset)}
-        bodies = [" on ".join(text(file[side].attrs[body] if side in file else file.attrs[f"{side}_{body}"]) for body in ("wheel", "rail")) for side in SIDES]
+        bodies = [" on ".join(bodies_of(file, side)) for side in SIDES]
     figure, ((difference, conicity), (wheel, rail)) = style.panels(2, 2, (11, 8.4))
     y = data["lateral"]
     difference.plot(y, data["difference"], color=style.INK)

@@ -4,7 +4,8 @@ import h5py
 import numpy as np
 
 from . import style
-from .kinds import refuse, require_columns, text
+from .kinds import require_columns, text
+from .refusals import refuse
 
 STATUS_CERTIFIED = 1
 MARKS = ("o", "s", "D", "^", "v", "x", "+", "*")

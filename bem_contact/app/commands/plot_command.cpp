@@ -1,0 +1,65 @@
+#include "bem_contact/app/command.hpp"
+#include "bem_contact/app/commands/start_python.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bem_contact::app {
+
+namespace {
+
+constexpr const char* plot_help =
+    R"(It recognises what FILE is. Python draws it (Debian's python3-matplotlib and python3-h5py). Example:
+    bem_contact solve data/scenes/hertz.toml -o hertz.h5
+    bem_contact plot hertz.h5 -o hertz.png
+You should see the patch with its pressure, a cut through it, and the numbers: the largest pressure is 1238 MPa.
+
+FILE         written by       the picture shows
+result       solve -o         patch with adhesion, slip and traction; a cut with the bound of friction; section or stresses
+comparison   compare -o       a patch for each model on one scale, section, pressures and their differences, numbers
+sweep        sweep -o         patches over y; pressure, area and forces over the key that varies
+creep curves creep-curves -o  forces over creepages, the bound of friction, Kalker's slopes
+conicity     conicity -o      rolling radius difference, contact points, equivalent conicity
+wheelset     wheelset -o      both wheels
+table        table -o         interpolation errors beside the tolerance; forces over the axes
+FOLDER       wear -o          what is gone from both profiles by step, depth and area over mileage
+fatigue      fatigue -o, --csv  shakedown diagram, FI_surf, stresses below, damage
+profile      you, profile --csv  the profile and its curvature; more profiles behind the first
+
+Behind profiles come the options of `bem_contact profile`:
+    bem_contact plot data/bodies/hollow_wheel.txt S1002 --kind wheel -o profile.png
+PICTURE ends in .png, .pdf or .svg; of wear also in .gif or .html: the profiles from step to step, with the depth drawn
+larger than it is. In Python: bem_contact.plot(), and Result.plot().)";
+
+struct PlotArguments {
+  std::string file, output;
+};
+
+} // namespace
+
+Command add_plot(CLI::App& program) {
+  const auto arguments = std::make_shared<PlotArguments>();
+  CLI::App* line =
+      program.add_subcommand("plot", "A picture of a result file, a folder of wear, or a profile");
+  line->add_option("file", arguments->file, "What to draw; further profiles are drawn behind the first");
+  line->add_option("-o,--output", arguments->output, "The picture; else FILE.png in this folder");
+  line->prefix_command(); // further profiles, and options of the command profile, are Python's
+  line->footer(plot_help);
+  return {line, [arguments, line]() -> ExitCode {
+            const std::vector<std::string> rest = line->remaining();
+            if (std::ranges::count(rest, "--help") + std::ranges::count(rest, "-h") > 0)
+              throw CLI::CallForHelp();
+            std::vector<std::string> words;
+            if (!arguments->output.empty())
+              words = {"-o", arguments->output};
+            if (!arguments->file.empty())
+              words.push_back(arguments->file);
+            words.insert(words.end(), rest.begin(), rest.end());
+            become_python(system_python, "bem_contact.plotting", words);
+          }};
+}
+
+} // namespace bem_contact::app

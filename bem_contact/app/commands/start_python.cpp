@@ -1,0 +1,55 @@
+#include "bem_contact/app/commands/start_python.hpp"
+
+#include "bem_contact/base/error.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace bem_contact::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Beside the program's folder in a build, in an installed tree, and around it in what pip installs.
+fs::path folder_of_package(const fs::path& bin) {
+  for (const fs::path& folder : {bin / "../python", bin / ".." / CONFORMAL_PYTHON_DIR, bin / "../.."})
+    if (fs::is_directory(folder / "bem_contact/plotting"))
+      return folder.lexically_normal();
+  throw InputError("The Python package bem_contact was not found",
+                   fmt::format("it is neither beside '{}' nor where it is installed", bin.string()),
+                   "Install the Debian package conformal-contact, or build the target bem_contact_python.");
+}
+
+void put_first(const char* variable, const fs::path& folder) {
+  const char* others = std::getenv(variable);
+  const std::string all = others && *others ? fmt::format("{}:{}", folder.string(), others) : folder.string();
+  setenv(variable, all.c_str(), 1);
+}
+
+} // namespace
+
+void become_python(const fs::path& python, const std::string& module,
+                   const std::vector<std::string>& arguments) {
+  if (!fs::exists(python))
+    throw InputError("No picture can be drawn", fmt::format("there is no '{}'", python.string()),
+                     "Install the Debian packages python3, python3-h5py and python3-matplotlib: sudo apt-get "
+                     "install python3 python3-h5py python3-matplotlib");
+  const fs::path bin = fs::read_symlink("/proc/self/exe").parent_path();
+  put_first("PYTHONPATH", folder_of_package(bin));
+  setenv("CONFORMAL_BIN", bin.c_str(), 1);
+  std::vector<std::string> words{python.string(), "-m", module};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words)
+    pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  std::fflush(nullptr);
+  execv(pointers.front(), pointers.data());
+  throw Error("Python cannot be started", fmt::format("'{}' is no program that runs here", python.string()),
+              "Install the Debian package python3 again.");
+}
+
+} // namespace bem_contact::app

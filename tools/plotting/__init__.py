@@ -1,1 +1,0 @@
-"""What `tools/plot` draws, one module for each kind of file."""
