@@ -12,15 +12,14 @@ const rows = data => {
   return Array.from({length: count}, (_, i) => data.values.slice(i * width, (i + 1) * width));
 };
 
-/// What the figures need of a result: coordinates lie in one group of the file, fields in another.
-const contactOf = (name, coordinates, group) => ({
+/// What the figures need of a result.
+const contactOf = (name, group) => ({
   name, group,
-  x: coordinates.x.values, s: coordinates.s.values, y: coordinates.y?.values, z: coordinates.z?.values,
-  delta: coordinates.delta?.values, dx: valueOf(group.quantities, "dx") ?? valueOf(coordinates, "dx_mm"),
-  ds: valueOf(group.quantities, "ds") ?? valueOf(coordinates, "ds_mm"),
-  friction: valueOf(coordinates, "friction"), left: /y (to the )?left/.test(coordinates.attributes.frame),
-  rail: coordinates.rail_profile && rows(coordinates.rail_profile),
-  wheel: coordinates.wheel_profile && rows(coordinates.wheel_profile),
+  x: group.x.values, s: group.s.values, y: group.y?.values, z: group.z?.values,
+  delta: group.delta?.values, dx: valueOf(group.quantities, "dx"), ds: valueOf(group.quantities, "ds"),
+  friction: valueOf(group, "friction"), left: /y (to the )?left/.test(group.attributes.frame),
+  rail: group.rail_profile && rows(group.rail_profile),
+  wheel: group.wheel_profile && rows(group.wheel_profile),
   state: rows(group.state), pn: rows(group.p_n), px: rows(group.p_x), ps: rows(group.p_s),
 });
 

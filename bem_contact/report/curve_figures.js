@@ -12,7 +12,7 @@ const ABOVE = {orientation: "h", y: 1.02, yanchor: "bottom"};
 
 /// The forces over one creepage, with the bound of friction and the slopes of linear theory.
 const creepFigure = (data, which) => {
-  const curve = data.curves?.[which] ?? data[which], x = curve.creepage.values, bound = valueOf(data, "bound", "bound_N"), traces = [];
+  const curve = data.curves[which], x = curve.creepage.values, bound = valueOf(data, "bound"), traces = [];
   const column = ["xi", "eta", "phi"].indexOf(which), spans = [x[0], x[x.length - 1]];
   for (const y of [bound, -bound])
     traces.push({type: "scatter", mode: "lines", x: spans, y: [y, y], name: "friction bound μ Fn", showlegend: y > 0,

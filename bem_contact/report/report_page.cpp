@@ -4,6 +4,7 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/former.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/json.hpp"
 #include "bem_contact/report/settings.hpp"
@@ -33,7 +34,7 @@ std::string page_of(const Record& file, const std::filesystem::path& path) {
       fmt::format("'{}' cannot be reported", path.string()),
       "it is HDF5, but no result, comparison, sweep, creep curves, conicity, wheelset or wear",
       "Name a file that bem_contact solve, compare, sweep, creep-curves, conicity, wheelset or wear wrote; "
-      "tools/plot draws tables of forces and of fatigue.");
+      "bem_contact plot draws tables of forces and of fatigue.");
 }
 
 /// What no figure draws.
@@ -42,8 +43,8 @@ bool left_out(std::string_view path) {
     return false;
   const std::string_view name = path.substr(5);
   constexpr std::array fields{
-      "u_x",           "u_s",    "u_n",       "friction_work_density", "friction_work", "deformed_distance",
-      "largest_shear", "stress", "work_rate", "element_power"}; // the last two of files before 0.2
+      "u_x",           "u_s",   "u_n", "friction_work_density", "friction_work", "deformed_distance",
+      "largest_shear", "stress"};
   const std::string_view last = name.substr(name.rfind('/') + 1);
   const bool of_case = name.starts_with("cases/") && name.find('/', 6) != name.npos;
   return (of_case && last != "reason") || name == "inputs" || last == "structure" || last == "step_fields" ||
@@ -82,10 +83,11 @@ Record worn_profiles(const std::filesystem::path& file, int last) {
 /// sweep's cases. Of wear, "steps" has up to five profiles of each body ([y, z] of each point), which lie
 /// beside the file. Throws InputError for any other file.
 Record report_data(const std::filesystem::path& file) {
-  Record data = record::from_h5(read_h5_top(file, "patches")); // the fields of a sweep's cases may be large
+  Record data = record::in_todays_layout(
+      record::from_h5(read_h5_top(file, "patches"))); // the fields of a sweep's cases may be large
   const std::string kind = page_of(data, file);
   if (kind != "sweep")
-    data = record::read_hdf5(file);
+    data = record::in_todays_layout(record::read_hdf5(file));
   Record out{{"kind", record::Text{kind}}, {"file", record::Text{file.filename().string()}}};
   if (kind == "wear")
     out.add("steps", worn_profiles(file, static_cast<int>(record::values_at(data, "step").size()) - 1));

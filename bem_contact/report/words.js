@@ -81,24 +81,21 @@ const SHORT = {fem: "FEM", tangent_plane: "tangent plane", halfspace: "half-spac
 const titleOf = name => TITLES[name] ?? name, shortOf = name => SHORT[name] ?? name;
 const namesIn = group => [...new Set([...Object.keys(TITLES), ...Object.keys(group ?? {})])].filter(name => group?.[name]);
 const SETS = {at_equal_forces: "At equal forces", at_equal_position: "At equal position and vertical force"};
-for (const set of Object.keys(SETS)) // files before 0.2
-  data[set] ??= data[set.slice(3)];
-const MAIN = ["Fx", "Fy", "Fz", "Fs", "Mz", "lateral", "approach", "pmax", "area", "adhesion_share", "T_gamma", "friction_power",
+const MAIN = ["Fx", "Fy", "Fz", "Fs", "Mz", "lateral", "approach", "pmax", "area", "adhesion_share", "T_gamma",
               "Tmax_rail", "Tmax_wheel", "xi", "eta", "phi", "free_rolling_xi", "free_rolling_radius", "patch_count"];
 const PATCH = ["Fn", "Fx", "Fs", "Mn", "pmax", "area", "y", "z", "s", "delta", "semi_axis_a", "semi_axis_b", "xi", "eta", "phi"];
 
-/// The contacts of a group: itself, or one of each model or wheel. Files before 0.2 have fields in a group named as
-/// the model, and coordinates outside.
+/// The contacts of a group: itself, or one of each model or wheel.
 const contactsOf = group => {
   if (group?.p_n)
-    return [contactOf(group.attributes.model, group, group)];
+    return [contactOf(group.attributes.model, group)];
   const inside = name => group?.[name]?.result ?? group?.[name];
   return namesIn(group).filter(name => inside(name)?.p_n)
-    .map(name => contactOf(name, inside(name).x ? inside(name) : group, inside(name)));
+    .map(name => contactOf(name, inside(name)));
 };
-/// A number of a group; undefined where it has none. Several names: the later ones of older files.
-const valueOf = (group, ...names) => group?.[names.find(name => group?.[name]?.values)]?.values[0];
-const certifiedOf = group => (group.attributes.certified ?? valueOf(group, "certificate_holds")) === 1;
+/// A number of a group; undefined where it has none.
+const valueOf = (group, name) => group?.[name]?.values?.[0];
+const certifiedOf = group => group.attributes.certified === 1;
 
 /// A value of the scene with all defaults; "" if it has none.
 const sceneValue = key => {
@@ -112,10 +109,9 @@ const sceneValue = key => {
 const bothWheels = profile => `Both wheels of a wheelset ${profile("wheel")}, on rails ${profile("rail")}.`;
 
 const wheelsetInWords = profile => {
-  const a = data.attributes, name = path => path?.split("/").pop(), words = [], of = name => number(data.wheelset[name]?.values[0]);
+  const name = path => path?.split("/").pop(), words = [], of = name => number(data.wheelset[name]?.values[0]);
   if (report.kind === "conicity") {
-    const body = (which, name) => data[which]?.attributes[name] ?? a[`${which}_${name}`];
-    const side = which => `${name(body(which, "wheel"))} on ${name(body(which, "rail"))}`;
+    const side = which => `${name(data[which].attributes.wheel)} on ${name(data[which].attributes.rail)}`;
     words.push(side("right") === side("left") ? `A rigid wheelset with wheels ${side("right")}.`
                : `A rigid wheelset: the right wheel is ${side("right")}, the left one ${side("left")}.`,
                "It is moved sideways on its track. The rolling radius difference says how it steers itself, and the equivalent " +
@@ -150,16 +146,16 @@ const sceneInWords = () => {
         ` The creepages are xi ${q("xi")}, eta ${q("eta")} and phi ${q("phi")} ${quantities.phi?.unit ?? ""}.`)
       : "There is no friction.");
     for (const {name, group} of report.kind === "result" ? [contact] : [])
-      out.push(`The model is ${name} (${titleOf(name).toLowerCase()}): ${group.attributes.why_this_model ?? group.attributes.reason}. The grid has ${q("mx")} × ` +
+      out.push(`The model is ${name} (${titleOf(name).toLowerCase()}): ${group.attributes.why_this_model}. The grid has ${q("mx")} × ` +
                `${q("ms")} elements of ${q("dx")} × ${q("ds")} mm.`);
   }
   if (swept.length)
     out.push(`${data.status.values.length} cases: ${swept.join(", ")} ${swept.length > 1 ? "vary" : "varies"}. ` +
              ["certified", "not_certified", "refused", "died", "missing"].map((name, k) =>
-               `${valueOf(data, `${name}_count`, name)} ${["are certified", "are not", "were refused", "died", "are missing"][k]}`).join(", ") + ".");
+               `${valueOf(data, `${name}_count`)} ${["are certified", "are not", "were refused", "died", "are missing"][k]}`).join(", ") + ".");
   if (report.kind === "creep curves")
     out.push(`The scene ${data.attributes.scene.split("/").pop()}, model ${data.attributes.model}: vertical force ` +
-             `${number(valueOf(data, "Fz", "Fz_N"))} N, friction bound μ Fn = ${number(valueOf(data, "bound", "bound_N"))} N.`);
+             `${number(valueOf(data, "Fz"))} N, friction bound μ Fn = ${number(valueOf(data, "bound"))} N.`);
   if (report.kind === "wear")
     out.push(`${data.step.values.length - 1} steps, ${number(data.mileage.values.at(-1))} km: the rail has lost ` +
              `${number(data.rail_area.values.at(-1))} mm² of its section, the wheel ${number(data.wheel_area.values.at(-1))} mm².`);
@@ -168,13 +164,12 @@ const sceneInWords = () => {
 
 const warningsOf = contact => (contact.group.warnings?.text ?? "").split("\n").filter(Boolean);
 
-const worstOf = ({group}) => (valueOf(group.quantities, "certificate") ?? valueOf(group, "certificate_worst")).toExponential(1);
-const toleranceOf = ({group}) => (valueOf(group.certificate, "tolerance") ?? valueOf(group, "certificate_tolerance")).toExponential(0);
-const solversOf = ({group: {solver, attributes: a}}) =>
-    [solver?.attributes.normal ?? a.normal_solver, solver?.attributes.tangential ?? a.tangential_solver].filter(Boolean).join(", ");
+const worstOf = ({group}) => valueOf(group.quantities, "certificate").toExponential(1);
+const toleranceOf = ({group}) => valueOf(group.certificate, "tolerance").toExponential(0);
+const solversOf = ({group: {solver}}) => [solver?.attributes?.normal, solver?.attributes?.tangential].filter(Boolean).join(", ");
 
 const addCertificate = contact => {
-  const {attributes: a} = contact.group, certified = certifiedOf(contact.group), note = a.solver_note ?? a.solver_note;
+  const {attributes: a} = contact.group, certified = certifiedOf(contact.group), note = a.solver_note;
   const box = add("div", "", page, {className: certified ? "certificate" : "certificate broken"});
   add("p", certified ? `Certified: the worst violation of a contact condition is ${worstOf(contact)} (relative; at most ${toleranceOf(contact)}). ` +
       `It was computed by code that shares nothing with the solvers (${solversOf(contact)}).` + (note ? ` ${note}.` : "")

@@ -6,6 +6,7 @@
 #include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/record/error_text.hpp"
 #include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/former.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/text.hpp"
 #include "bem_contact/sequence/quantities.hpp"
@@ -46,10 +47,7 @@ std::string main_results(const record::Record& file) {
                          record::fixed_within(of(name), error, name == std::string_view("approach") ? 5 : 2),
                          record::plus_minus(error), quantity(name).unit.rolling);
     }
-    // Files before 0.2 do not say whether all steps are solutions.
-    const auto certified = record::flag_at(file, group + "certified");
-    const bool old = record::number_at(file, group + "certificate_holds") == 1.0;
-    out += certified.value_or(old) ? " certified\n" : " NOT certified\n";
+    out += record::flag_at(file, group + "certified").value_or(false) ? " certified\n" : " NOT certified\n";
   }
   return out.empty() ? "" : "Main results\n" + out;
 }
@@ -64,7 +62,7 @@ record::Record without_cases(const record::Record& sweep) {
 }
 
 std::string describe_record(const record::Record& file, const std::string& title) {
-  return title + "\n" + main_results(file) + record::to_text(file);
+  return title + "\n" + main_results(record::in_todays_layout(file)) + record::to_text(file);
 }
 
 std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes) {

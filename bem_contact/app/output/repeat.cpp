@@ -7,6 +7,7 @@
 #include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/former.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
@@ -142,9 +143,7 @@ void compare_geometry(const record::Record& file, const std::string& body, std::
     return std::string(record::text_at(file, path).value_or(""));
   };
   const std::string input = fmt::format("inputs/{}.profile/", body);
-  std::string before = text("geometry/" + body);
-  if (before.empty())
-    before = text(input + "geometry"); // of files before 0.2
+  const std::string before = text("geometry/" + body);
   const std::string digest = fmt::format("{:016x}", now);
   if (!before.empty() && before != digest)
     others.push_back(
@@ -153,19 +152,15 @@ void compare_geometry(const record::Record& file, const std::string& body, std::
                     body, text(input + "name"), before, digest));
 }
 
-/// The numbers of the result, and its model.
-std::pair<std::map<std::string, double>, std::string> numbers_before(const record::Record& file) {
+/// The numbers of the result.
+std::map<std::string, double> numbers_before(const record::Record& file) {
   std::map<std::string, double> before;
-  std::string model(record::text_at(file, "model").value_or(""));
   const record::Content* quantities = record::find(file, "quantities");
-  for (const std::string_view known : EnumNames<Model>::names)
-    if (const auto* inside = record::find(file, std::string(known) + "/quantities"))
-      quantities = inside, model = known; // of files before 0.2
   if (const auto* all = quantities ? std::get_if<record::Record>(quantities) : nullptr)
     for (const record::Entry& entry : all->entries())
       if (const auto* number = std::get_if<record::Number>(&entry.content))
         before[entry.name] = number->value;
-  return {before, model};
+  return before;
 }
 
 } // namespace
@@ -180,7 +175,7 @@ bool is_hdf5(const fs::path& file) {
 }
 
 Repetition repeat_result(const fs::path& file, const fs::path& folder) {
-  const record::Record stored = record::read_hdf5(file);
+  const record::Record stored = record::in_todays_layout(record::read_hdf5(file));
   require_result(stored, file);
   const auto text = [&](const char* path) { return std::string(record::text_at(stored, path).value_or("")); };
   const fs::path start =
@@ -194,9 +189,8 @@ Repetition repeat_result(const fs::path& file, const fs::path& folder) {
   inputs.point_to(reader, out.warnings);
   out.result = Sequence().solve(reader.scene());
 
-  const auto [before, model] = numbers_before(stored);
-  out.model = model;
-  out.differences = differing_quantities(before, out.result);
+  out.model = text("model");
+  out.differences = differing_quantities(numbers_before(stored), out.result);
   if (out.model != name_of(out.result.model))
     out.others.push_back(fmt::format("the model was {} and is {}", out.model, name_of(out.result.model)));
   compare_geometry(stored, "rail", out.result.rail_geometry, out.others);
