@@ -75,7 +75,10 @@ ContactSetup set_up_touching(const SceneFile& scene, LoweredWheel bodies, const 
   motion.speed *= mean_surface_speed(pair, reference, motion.creepage);
   // A smooth function of the position: not that of the deepest point.
   const double contact_radius = centre ? centre->rolling_radius : pair.wheel_radius;
-  return {body_of(scene.rail, scene.folder), body_of(scene.wheel, scene.folder), load, std::move(motion),
+  return {body_of(scene.rail, scene.folder),
+          body_of(scene.wheel, scene.folder),
+          load,
+          std::move(motion),
           share(WheelRailGeometry{.pair = std::move(bodies.pair),
                                   .locus = std::move(bodies.locus),
                                   .touch = std::move(bodies.touch),
@@ -85,7 +88,8 @@ ContactSetup set_up_touching(const SceneFile& scene, LoweredWheel bodies, const 
                                   .reference = reference,
                                   .contact_radius = contact_radius,
                                   .rail_inclination = origin.rail_inclination,
-                                  .structure = origin.structure})};
+                                  .structure = origin.structure}),
+          read_layer(scene)};
 }
 
 /// Throws InputError where a number of it is none.
@@ -126,6 +130,7 @@ ContactOnGrid ContactSetup::on(const GridPlan& plan) const {
   out.plan = plan;
   ContactProblem& problem = out.problem;
   problem.rows = std::move(rows.rows);
+  out.layer = layer.on(problem.rows);
   out.rail_s = std::move(rows.rail_s);
   out.wheel_s = std::move(rows.wheel_s);
   problem.load = load.kind;
@@ -209,9 +214,12 @@ ContactSetup moved(const SceneFile& scene, const ContactSetup& setup, Structural
 }
 
 ContactSetup set_up_patch(const SceneFile& scene) {
-  ContactSetup out{body_of(scene.rail, scene.folder), body_of(scene.wheel, scene.folder),
-                   load_of(scene, scene.load.approach.value_or(0)), read_motion(scene),
-                   share(read_patch(scene))};
+  ContactSetup out{body_of(scene.rail, scene.folder),
+                   body_of(scene.wheel, scene.folder),
+                   load_of(scene, scene.load.approach.value_or(0)),
+                   read_motion(scene),
+                   share(read_patch(scene)),
+                   read_layer(scene)};
   require_bearable(out);
   return out;
 }

@@ -2,6 +2,7 @@
 
 #include "bem_contact/influence/influence_function.hpp"
 #include "bem_contact/scene/contact_centre.hpp"
+#include "bem_contact/scene/contact_layer.hpp"
 #include "bem_contact/scene/motion.hpp"
 #include "bem_contact/scene/patch_geometry.hpp"
 #include "bem_contact/scene/wheel_rail_geometry.hpp"
@@ -34,6 +35,7 @@ struct ContactOnGrid {
   ContactProblem problem;              ///< complete but for the values of the influence numbers
   std::vector<double> rail_s, wheel_s; ///< arc length of each row on the lower and the upper body, mm
   double contact_radius = 0;           ///< of a wheel, at the contact, mm; 0: none
+  SurfaceLayer layer;                  ///< between the bodies; not in any influence numbers yet
 };
 
 /// What a scene asks: who the bodies are, what presses them together, how they move, and how far apart they
@@ -43,6 +45,7 @@ struct ContactSetup {
   ContactLoad load;
   Motion motion;
   std::shared_ptr<const std::variant<WheelRailGeometry, PatchGeometry>> geometry;
+  ContactLayer layer;
 
   const WheelRailGeometry* wheel_rail() const { return std::get_if<WheelRailGeometry>(geometry.get()); }
   const PatchGeometry* patch() const { return std::get_if<PatchGeometry>(geometry.get()); }

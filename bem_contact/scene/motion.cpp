@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/csv_table.hpp"
 #include "bem_contact/scene/friction_laws.hpp"
+#include "bem_contact/scene/table_place.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -39,18 +40,13 @@ std::vector<Motion::Friction> read_friction(const std::filesystem::path& file, c
 
 /// Linear between the points of the table, constant beyond its ends.
 Motion::Friction friction_at(const Motion& motion, const ContactRow& row) {
-  const std::vector<Motion::Friction>& table = motion.friction_table;
-  const double at = motion.friction_by_inclination ? row.delta : row.s;
-  const auto after = std::ranges::find_if(table, [at](const auto& point) { return point.at > at; });
-  if (after == table.begin() || after == table.end())
-    return after == table.begin() ? table.front() : table.back();
-  const auto before = std::prev(after);
-  const double share = (at - before->at) / (after->at - before->at);
+  const double place = motion.friction_by_inclination ? row.delta : row.s;
+  const TablePlace<Motion::Friction> at = place_in(motion.friction_table, place);
   const auto between = [&](double Motion::Friction::*number) {
-    return (1 - share) * (*before).*number + share * (*after).*number;
+    return (1 - at.share) * at.before->*number + at.share * at.after->*number;
   };
   using Friction = Motion::Friction;
-  return {at, between(&Friction::mu), between(&Friction::falling), between(&Friction::half)};
+  return {place, between(&Friction::mu), between(&Friction::falling), between(&Friction::half)};
 }
 
 [[noreturn]] void refuse_coefficient(double coefficient, double adhesion, const char* key) {

@@ -298,6 +298,32 @@ void check_stresses(const SceneFile::Stresses& asked, const Schema& s) {
                "Give places, for instance [0.0], or leave out stresses.depths.");
 }
 
+void check_layer(const SceneFile& f, const Schema& s) {
+  const SceneFile::Layer& layer = f.layer;
+  if (layer.shear_modulus.has_value() != layer.thickness.has_value())
+    s.refuse(layer.shear_modulus ? "layer.shear_modulus" : "layer.thickness",
+             fmt::format("layer.{} is not given", layer.shear_modulus ? "thickness" : "shear_modulus"),
+             "Give both: the compliance is thickness / shear_modulus.");
+  const char* first = nullptr;
+  for (const auto& [key, given] : {std::pair{"layer.compliance", layer.compliance.has_value()},
+                                   {"layer.shear_modulus", layer.shear_modulus.has_value()},
+                                   {"layer.table", !layer.table.empty()},
+                                   {"layer.slope", layer.slope.has_value()}}) {
+    if (given && first)
+      s.refuse(key, fmt::format("{} is given too", first), "Give one of the two.");
+    if (given)
+      first = key;
+  }
+  if (layer.slope && f.motion.frictionless)
+    s.refuse("layer.slope", "without friction there is no shear force", "Leave it out.");
+  if (layer.slope && f.motion.kind != MotionKind::steady)
+    s.refuse("layer.slope", "it is the slope of steady rolling",
+             "Choose motion.kind = \"steady\", or give layer.compliance.");
+  if (layer.normal_compliance > 0 && f.solver.model == Model::hertz)
+    s.refuse("layer.normal_compliance", "Hertz's closed form has no layer between the bodies",
+             "Choose another solver.model.");
+}
+
 /// Friction that depends on slip, slip velocity or temperature, and [temperature].
 void check_friction(const SceneFile& file, const Schema& schema) {
   if (!file.motion.frictionless)
@@ -316,6 +342,7 @@ void check_keys(const SceneFile& f, const Schema& s) {
   check_track(f, s);
   check_steps(f, s);
   check_friction(f, s);
+  check_layer(f, s);
   check_stresses(f.stresses, s);
   if (f.kind == SceneKind::patch)
     check_patch(f, s);

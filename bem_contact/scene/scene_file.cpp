@@ -190,6 +190,7 @@ std::vector<NamedFile> named_files(const SceneFile& scene) {
   add("motion.friction_table", scene.motion.friction_table);
   add("motion.step_table", scene.motion.step_table);
   add("motion.start_table", scene.motion.start_table);
+  add("layer.table", scene.layer.table);
   return files;
 }
 

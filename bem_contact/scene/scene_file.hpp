@@ -180,6 +180,20 @@ struct SceneFile {
     bool operator==(const Strip&) const = default;
   } strip; ///< [strip]
 
+  /// [layer]: a thin compliant layer between the surfaces; at most one of compliance, shear_modulus with
+  /// thickness, table and slope
+  struct Layer {
+    std::optional<double> compliance;    ///< of shear tractions, of both surfaces together, mm^3/N
+    std::optional<double> shear_modulus; ///< with thickness: compliance = thickness / shear_modulus, MPa
+    std::optional<double> thickness;     ///< mm
+    std::string table;                   ///< CSV file with columns s (mm), compliance (mm^3/N)
+    /// The slope of Fx over xi at xi = 0 with the layer, over that without it: the compliance is found.
+    std::optional<double> slope;
+    double normal_compliance = 0; ///< of pressure, mm^3/N
+
+    bool operator==(const Layer&) const = default;
+  } layer; ///< [layer]
+
   /// [stresses]: below the surface of the rail (patch: the lower body), at every (x, s, depth)
   struct Stresses {
     std::vector<double> x{0.0}; ///< mm

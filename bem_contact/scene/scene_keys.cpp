@@ -56,6 +56,28 @@ void add_patch(Schema& s, SceneFile::Gap& gap, SceneFile::Strip& strip) {
   strip_table.add("inclination", strip.inclination, "CSV file with columns is, delta instead of radius");
 }
 
+void add_layer(Schema& s, SceneFile::Layer& layer) {
+  SchemaTable t(s, "layer");
+  t.add("compliance", layer.compliance,
+        "Of a thin layer between the surfaces under shear, of both surfaces together: displacement in mm "
+        "under 1 MPa; 0: there is none",
+        {.unit = "mm3/N", .at_least = 0, .zero_is_none = true});
+  t.add("shear_modulus", layer.shear_modulus,
+        "With thickness instead of compliance, which is thickness / shear_modulus; 0: not given",
+        {.unit = "MPa", .at_least = 0, .zero_is_none = true});
+  t.add("thickness", layer.thickness, "Of the layer, with shear_modulus; 0: not given",
+        {.unit = "mm", .at_least = 0, .zero_is_none = true});
+  t.add("table", layer.table,
+        "CSV file with columns s, compliance (linear in between) instead; s as in the result");
+  t.add("slope", layer.slope,
+        "Instead, the slope of Fx over xi at xi = 0 with the layer, divided by that without it: its "
+        "compliance is found for this contact and reported; 0: not given",
+        {.at_least = 0, .at_most = 1, .zero_is_none = true});
+  t.add("normal_compliance", layer.normal_compliance,
+        "Of the layer under pressure, as of a pressure film: displacement in mm under 1 MPa",
+        {.unit = "mm3/N", .at_least = 0});
+}
+
 void add_stresses(Schema& s, SceneFile::Stresses& stresses) {
   SchemaTable t(s, "stresses");
   t.add("x", stresses.x,
@@ -120,6 +142,7 @@ Schema scene_schema(SceneFile& f, SceneKeysAsRead& read) {
   add_motion(s, f.motion);
   add_grid(s, f.grid, read);
   add_patch(s, f.gap, f.strip);
+  add_layer(s, f.layer);
   add_stresses(s, f.stresses);
   add_temperature(s, f.temperature);
   add_wear(s, f.wear);

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <iterator>
 #include <optional>
 
@@ -189,6 +190,24 @@ std::string friction_text(const Motion& motion, const ContactProblem& problem) {
                                                         : fmt::format("transient rolling, {} of dx", steps));
 }
 
+/// The layer between the surfaces, in one line; nothing without one.
+std::optional<std::string> layer_text(const ContactLayer& layer) {
+  std::vector<std::string> parts;
+  if (layer.slope)
+    parts.push_back(fmt::format("the compliance with which Fx grows with xi at {:g} of the slope without it, "
+                                "found where the contact is solved",
+                                *layer.slope));
+  else if (!layer.table.empty())
+    parts.push_back("compliance along s from its table");
+  else if (layer.compliance > 0)
+    parts.push_back(fmt::format("compliance {:g} mm3/N", layer.compliance));
+  if (layer.normal > 0)
+    parts.push_back(fmt::format("{:g} mm3/N under pressure", layer.normal));
+  if (parts.empty())
+    return std::nullopt;
+  return fmt::format("layer between the surfaces: {}", fmt::join(parts, ", "));
+}
+
 /// `choice`: of auto; nothing where it was not looked for.
 std::string model_text(std::optional<Model> asked_for, const std::optional<ModelChoice>& choice) {
   std::string out = fmt::format("model: {}", name_of(asked_for));
@@ -255,6 +274,8 @@ SceneDescription describe_case(const ContactCase& asked) {
   const Model model = asked_for ? *asked_for : choice->model;
   lines.push_back(grid_text(scene, problem, has_large_numbers(asked, contact.plan, model)));
   lines.push_back(friction_text(asked.setup.motion, problem));
+  if (const auto layer = layer_text(asked.setup.layer))
+    lines.push_back(*layer);
   lines.push_back(
       influence_text("rail", asked.files.rail, contact.rail_s, problem, fit.refusal, fit.rail_room));
   lines.push_back(

@@ -17,6 +17,7 @@ constexpr Unit mm{"mm", nullptr, Kind::length}, newton{"N", nullptr, Kind::force
     celsius{"degC", nullptr, Kind::temperature}, share_unit{"1", nullptr, Kind::share},
     number{"1", nullptr, Kind::count}, effort{"1", nullptr, Kind::effort};
 constexpr Unit creepage_unit{"1", "mm", Kind::creepage}, spin_unit{"1/mm", "rad", Kind::creepage};
+constexpr Unit compliance_unit{"mm3/N"};
 constexpr Unit creepage_alone{"1", nullptr, Kind::creepage};
 /// Work per rolled length is a force (T-gamma).
 constexpr Unit work_unit{"N", "N mm", Kind::power}, work_density_unit{"MPa", "N/mm"};
@@ -126,6 +127,13 @@ constexpr Quantity known_quantities[] = {
      of_result<&ContactResult::creepage_x>, total<&TotalErrors::creepage_x>},
     {"creepage_s", creepage_unit, "lateral creepage found for load.force_s",
      of_result<&ContactResult::creepage_s>, total<&TotalErrors::creepage_s>},
+    {"layer_compliance", compliance_unit,
+     "of the layer under shear, given or found for layer.slope; nan: there is none, or rows differ",
+     [](const SceneResult& r) {
+       return r.layer.shear.empty() || r.layer.by_row() ? none : r.layer.shear.front();
+     }},
+    {"layer_normal_compliance", compliance_unit, "of the layer under pressure; nan: there is none",
+     [](const SceneResult& r) { return r.layer.normal > 0 ? r.layer.normal : none; }},
     {"free_rolling_xi", creepage_alone, "longitudinal creepage at which Fx is 0; nan: not looked for",
      [](const SceneResult& r) { return r.free_rolling ? r.free_rolling->xi : none; },
      [](const SceneResult& r) { return r.free_rolling ? r.free_rolling->xi_error : none; }},
@@ -258,6 +266,10 @@ constexpr RowQuantity all_of_rows[] = {
      [](const SceneResult& r, std::size_t row) { return r.problem.rows[row].delta; }},
     {"wheel_s", mm, "arc length along the wheel's profile opposite the rows; nan: it has none",
      [](const SceneResult& r, std::size_t row) { return r.wheel_s.empty() ? none : r.wheel_s[row]; }},
+    {"layer", compliance_unit, "compliance of the layer under shear on the rows; nan: there is none",
+     [](const SceneResult& r, std::size_t row) {
+       return r.layer.shear.empty() ? none : r.layer.shear_of(static_cast<int>(row));
+     }},
 };
 
 constexpr ElementQuantity all_of_elements[] = {

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/material.hpp"
 #include "bem_contact/contact/history.hpp"
+#include "bem_contact/contact/layer.hpp"
 #include "bem_contact/geometry/rigid_slip.hpp"
 #include "bem_contact/scene/choices.hpp"
 #include "bem_contact/sequence/patch_place.hpp"
@@ -74,6 +75,7 @@ struct SceneResult {
       true; ///< false: finite elements would be needed, and cannot be taken; `why_this_model` says why
   ContactProblem problem; ///< grid, rows (wheel_rail: track frame), undeformed distance, rigid slip; without
                           ///< the values of the influence numbers
+  SurfaceLayer layer;     ///< between the bodies, as given or found for layer.slope
   ContactResult result;   ///< of the last step
   std::vector<ContactResult> history;   ///< transient and shift: of every step
   std::vector<PatchPlace> patch_places; ///< of result.patches, in their order

@@ -40,6 +40,21 @@ std::string signed_digits(const SceneResult& r, const char* name, int most) {
   return (quantity(name).value(r) < 0 ? "" : "+") + digits(r, name, most);
 }
 
+/// The layer between the surfaces, in one line; "" without one.
+std::string layer_text(const SurfaceLayer& layer) {
+  if (layer.is_none())
+    return "";
+  std::string out = "layer between the surfaces: compliance";
+  if (layer.by_row()) {
+    const auto [least, most] = std::ranges::minmax(layer.shear);
+    out += fmt::format(" {:.4g} .. {:.4g} mm3/N under shear, by row", least, most);
+  } else if (!layer.shear.empty())
+    out += fmt::format(" {:.4g} mm3/N under shear", layer.shear.front());
+  if (layer.normal > 0)
+    out += fmt::format("{} {:.4g} mm3/N under pressure", layer.shear.empty() ? "" : ",", layer.normal);
+  return out + "\n";
+}
+
 /// Displacement and creepage that were found, and free rolling; "" of a patch.
 std::string rolling_text(const SceneResult& r) {
   std::string out;
@@ -169,6 +184,7 @@ std::string to_text(const SceneResult& r) {
   out += reference_text(r);
   out += r.result.patches.empty() ? "no contact: all forces are zero\n" : patches_text(r, force);
   out += totals_text(r, force);
+  out += layer_text(r.layer);
   out += rolling_text(r);
   if (const std::string why = why_no_errors(r); !why.empty() && !r.result.patches.empty())
     out += fmt::format("no errors (+-) are stated: {}\n", why);

@@ -61,6 +61,8 @@ class Result:
     Tmax_rail_error: Final[float | None]
     Tmax_wheel: Final[float | None]
     Tmax_wheel_error: Final[float | None]
+    layer_compliance: Final[float | None]
+    layer_normal_compliance: Final[float | None]
     free_rolling_xi: Final[float | None]
     free_rolling_xi_error: Final[float | None]
     free_rolling_radius: Final[float | None]
@@ -117,6 +119,7 @@ class Result:
     z: Final[_Array]
     delta: Final[_Array]
     wheel_s: Final[_Array]
+    layer: Final[_Array]
     # Trust.
     model: Final[str]
     reason: Final[str]

@@ -43,7 +43,7 @@ double k_minus_e(double m) {
   return std::numbers::pi / (2 * a) * 0.5 * sum;
 }
 
-/// Normal force of the slices first .. end - 1, which touch at the approach q. Kik and Piotrowski: N = pi E*
+/// Normal force of the slices of an area that touch at the approach q. Kik and Piotrowski: N = pi E*
 /// q I1/I2, I1 and I2 the integrals of sqrt(x_l^2 - x^2) and of the same over r; along x, I2 is 2 S (K - E)
 /// with S^2 = x_l^2 + t^2, m = x_l^2 / S^2 at the distance t in s.
 /// `width`: of a slice, mm.
@@ -52,11 +52,45 @@ double normal_force(std::span<const RailSlice> area, const RailSlice& deepest, d
   double i1 = 0, i2 = 0;
   for (const RailSlice& c : area) {
     const double xl2 = c.depth(penetration_share * q) / c.half;
+    if (!(xl2 > 0)) // it touches the layer alone
+      continue;
     const double t = std::max(std::abs(c.s - deepest.s), slice_self_distance * width);
     i1 += std::numbers::pi * xl2 / 2;
     i2 += 2 * std::sqrt(xl2 + t * t) * k_minus_e(xl2 / (xl2 + t * t));
   }
-  return std::numbers::pi / compliance * deepest.depth(q) * i1 / i2;
+  return i2 > 0 ? std::numbers::pi / compliance * deepest.depth(q) * i1 / i2 : 0.0;
+}
+
+/// The same of a layer alone, between rigid bodies: depth - half x^2 over its compliance, integrated.
+double layer_force(std::span<const RailSlice> area, double q, double layer, double width) {
+  double sum = 0;
+  for (const RailSlice& c : area) {
+    const double depth = c.depth(q);
+    sum += 4.0 / 3 * depth * std::sqrt(depth / c.half) * width;
+  }
+  return sum / layer;
+}
+
+/// Two bodies and a layer in series.
+struct Series {
+  double force;         ///< N
+  double elastic_share; ///< of the approach that is the bodies' own
+};
+
+/// `elastic`, `layer`: what either alone bears at the whole approach. Under a part of the force the bodies
+/// approach by its power 2/3 (Hertz) and the layer by its power 1/2 (Winkler); both make up the approach.
+Series in_series(double elastic, double layer) {
+  double lo = 0, hi = 1; // the bodies' share
+  for (int i = 0; i < 60; ++i) {
+    const double share = 0.5 * (lo + hi), force = elastic * std::pow(share, 1.5);
+    (share + std::sqrt(force / layer) < 1 ? lo : hi) = share;
+  }
+  return {elastic * std::pow(lo, 1.5), lo};
+}
+
+/// The share of the approach at which bodies that touch would overlap, at the most: a layer alone has 1.
+double widest_penetration(const PairCompliance& compliance) {
+  return compliance.layer > 0 ? 1.0 : double(penetration_share);
 }
 
 /// Slices of one width, mm.
@@ -65,12 +99,12 @@ double width_of(std::span<const RailSlice> slices) {
 }
 
 /// Largest pressure and extent of one area that bears `normal` at the approach q: the pressure is
-/// proportional to sqrt(x_l^2 - x^2).
+/// proportional to sqrt(x_l^2 - x^2). `q`: what is left of the approach to overlap.
 void set_extent(std::span<const RailSlice> area, const RailSlice& deepest, double q, double normal,
                 double width, EstimatedContact& out) {
   double half_lengths = 0;
   for (const RailSlice& c : area) {
-    const double squared = c.depth(penetration_share * q) / c.half;
+    const double squared = c.depth(q) / c.half;
     half_lengths += 0.5 * std::numbers::pi * squared;
     out.length = std::max(out.length, 2 * std::sqrt(squared));
   }
@@ -87,18 +121,19 @@ void set_extent(std::span<const RailSlice> area, const RailSlice& deepest, doubl
 double mean_sine(std::span<const RailSlice> area, double q) {
   double sum = 0, weights = 0;
   for (const RailSlice& c : area) {
-    const double weight = c.depth(penetration_share * q) / c.half;
+    const double weight = c.depth(q) / c.half;
     sum += weight * std::sin(c.delta);
     weights += weight;
   }
   return sum / weights;
 }
 
-/// Calls take(area, deepest, normal, vertical) for each area of slices that touch at the approach q, along s.
+/// Calls take(area, deepest, series, vertical) for each area of slices that touch at the approach q, along s.
 template <class Take>
 void for_each_area(std::span<const RailSlice> slices, std::span<const double> lift, double q,
-                   double compliance, double width, const Take& take) {
-  const auto inside = [&](const RailSlice& c) { return c.depth(penetration_share * q) > 0; };
+                   const PairCompliance& compliance, double width, const Take& take) {
+  const double most = widest_penetration(compliance);
+  const auto inside = [&](const RailSlice& c) { return c.depth(most * q) > 0; };
   for (std::size_t i = 0; i < slices.size(); ++i) {
     if (!inside(slices[i]))
       continue;
@@ -107,8 +142,10 @@ void for_each_area(std::span<const RailSlice> slices, std::span<const double> li
       if (slices[end].depth(q) > slices[deepest].depth(q))
         deepest = end;
     const std::span<const RailSlice> area = slices.subspan(i, end - i);
-    const double normal = normal_force(area, slices[deepest], q, compliance, width);
-    take(area, slices[deepest], normal, normal * slices[deepest].cosine * lift[deepest]);
+    Series series{normal_force(area, slices[deepest], q, compliance.elastic, width), 1};
+    if (compliance.layer > 0)
+      series = in_series(series.force, layer_force(area, q, compliance.layer, width));
+    take(area, slices[deepest], series, series.force * slices[deepest].cosine * lift[deepest]);
     i = end;
   }
 }
@@ -116,7 +153,7 @@ void for_each_area(std::span<const RailSlice> slices, std::span<const double> li
 /// Vertical force as a function of the approach. It looks only at slices that have the wheel near.
 class BorneForce {
 public:
-  BorneForce(const ContactEstimate& estimate, double compliance)
+  BorneForce(const ContactEstimate& estimate, const PairCompliance& compliance)
       : compliance_(compliance), width_(width_of(estimate.slices)) {
     const auto near = [](const RailSlice& c) { return c.gap < excluded_gap; };
     const auto first = std::ranges::find_if(estimate.slices, near);
@@ -129,41 +166,60 @@ public:
   double operator()(double q) const {
     double force = 0;
     for_each_area(slices_, lift_, q, compliance_, width_,
-                  [&](auto, const RailSlice&, double, double vertical) { force += vertical; });
+                  [&](auto, const RailSlice&, const Series&, double vertical) { force += vertical; });
     return force;
   }
 
 private:
-  double compliance_, width_;
+  PairCompliance compliance_;
+  double width_;
   std::span<const RailSlice> slices_;
   std::span<const double> lift_;
 };
 
 /// What is known of the area that bears most of the vertical force at the approach q.
-EstimatedContact contact_at(const ContactEstimate& estimate, double q, double compliance) {
+EstimatedContact contact_at(const ContactEstimate& estimate, double q, const PairCompliance& compliance) {
   EstimatedContact out;
   double largest = 0;
   const double width = width_of(estimate.slices);
+  const double overlap = estimate.penetration * q;
   for_each_area(
       estimate.slices, estimate.lift, q, compliance, width,
-      [&](std::span<const RailSlice> area, const RailSlice& deepest, double normal, double vertical) {
-        out.normal += normal;
-        out.lateral -= normal * mean_sine(area, q);
+      [&](std::span<const RailSlice> area, const RailSlice& deepest, const Series& series, double vertical) {
+        while (area.size() > 1 && !(area.front().depth(overlap) > 0))
+          area = area.subspan(1);
+        while (area.size() > 1 && !(area.back().depth(overlap) > 0))
+          area = area.first(area.size() - 1);
+        if (!(deepest.depth(overlap) > 0))
+          return;
+        out.normal += series.force;
+        out.lateral -= series.force * mean_sine(area, overlap);
         if (vertical > largest) {
           largest = vertical;
-          set_extent(area, deepest, q, normal, width, out);
+          set_extent(area, deepest, overlap, series.force, width, out);
         }
       });
   return out;
 }
 
-double approach_under(const ContactEstimate& estimate, double force, double compliance) {
+double approach_under(const ContactEstimate& estimate, double force, const PairCompliance& compliance) {
   return approach_for(force, BorneForce(estimate, compliance));
 }
 
-void set_approach(ContactEstimate& estimate, double q, double compliance) {
+void set_approach(ContactEstimate& estimate, double q, const PairCompliance& compliance) {
   estimate.approach = q;
   estimate.force = BorneForce(estimate, compliance)(q);
+  if (!(compliance.layer > 0))
+    return;
+  double largest = 0;
+  for_each_area(estimate.slices, estimate.lift, q, compliance, width_of(estimate.slices),
+                [&](auto, const RailSlice&, const Series& series, double vertical) {
+                  if (vertical <= largest)
+                    return;
+                  largest = vertical;
+                  estimate.penetration =
+                      series.elastic_share * penetration_share + (1 - series.elastic_share);
+                });
 }
 
 /// Whether the slice may be the deepest of an area at some approach up to `most`: its depth grows linearly
@@ -200,7 +256,12 @@ void set_lift(const ContactSetup& setup, ContactEstimate& estimate) {
 
 } // namespace
 
-ContactEstimate estimate_contact(std::vector<RailSlice> slices, double compliance, const ContactLoad& load) {
+PairCompliance pair_compliance(const ContactSetup& setup) {
+  return {contact_compliance(setup.rail.material, setup.wheel.material), setup.layer.normal};
+}
+
+ContactEstimate estimate_contact(std::vector<RailSlice> slices, const PairCompliance& compliance,
+                                 const ContactLoad& load) {
   ContactEstimate out;
   out.slices = std::move(slices);
   out.lift.assign(out.slices.size(), 1.0);
@@ -211,7 +272,7 @@ ContactEstimate estimate_contact(std::vector<RailSlice> slices, double complianc
 }
 
 ContactEstimate estimate_contact(const ContactSetup& setup, bool foresee_shear) {
-  const double compliance = contact_compliance(setup.rail.material, setup.wheel.material);
+  const PairCompliance compliance = pair_compliance(setup);
   ContactEstimate out = estimate_contact(setup.wheel_rail()->slices, compliance, setup.load);
   require_small_approach(out.approach);
   const Motion& motion = setup.motion;
@@ -226,7 +287,8 @@ ContactEstimate estimate_contact(const ContactSetup& setup, bool foresee_shear) 
   return out;
 }
 
-EstimatedContact estimated_contact(const ContactEstimate& estimate, double compliance, double shift_y) {
+EstimatedContact estimated_contact(const ContactEstimate& estimate, const PairCompliance& compliance,
+                                   double shift_y) {
   if (shift_y == 0)
     return contact_at(estimate, estimate.approach, compliance);
   ContactEstimate moved = estimate;
@@ -236,7 +298,8 @@ EstimatedContact estimated_contact(const ContactEstimate& estimate, double compl
   return contact_at(moved, q, compliance);
 }
 
-std::optional<ContactEstimate> estimate_contact(const ContactProblem& problem, double compliance) {
+std::optional<ContactEstimate> estimate_contact(const ContactProblem& problem,
+                                                const PairCompliance& compliance) {
   const ContactGrid& grid = problem.grid;
   if (problem.plane_strain() || grid.mx < 3)
     return std::nullopt;
@@ -263,7 +326,7 @@ ContactExtent contact_extent(const ContactEstimate& estimate) {
     return out;
   const double ds = estimate.slices[1].s - estimate.slices[0].s;
   for (const RailSlice& c : estimate.slices) {
-    const double depth = c.depth(penetration_share * estimate.approach);
+    const double depth = c.depth(estimate.penetration * estimate.approach);
     if (depth <= 0)
       continue;
     const double length = 2 * std::sqrt(depth / c.half);
@@ -294,7 +357,8 @@ std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate, doub
 }
 
 std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate) {
-  return potential_areas(estimate, potential_share * std::max(estimate.approach, least_approach));
+  const double share = potential_share + (estimate.penetration - penetration_share);
+  return potential_areas(estimate, share * std::max(estimate.approach, least_approach));
 }
 
 } // namespace bem_contact

@@ -203,7 +203,7 @@ std::optional<HertzModel> fit_hertz(const ContactProblem& problem, const Materia
 }
 
 std::optional<HertzModel> hertz_of(const ContactSetup& setup, const ContactProblem& problem) {
-  if (problem.tangential || problem.plane_strain())
+  if (problem.tangential || problem.plane_strain() || setup.layer.normal > 0)
     return std::nullopt;
   return fit_hertz(problem, setup.rail.material, setup.wheel.material);
 }

@@ -33,7 +33,7 @@ std::optional<HertzModel> fit_hertz(const ContactProblem& problem, const Materia
                                     const Material& upper);
 
 /// Does the same for a problem of this setup. Returns nothing where the contact is none of Hertz's: with
-/// friction, or in plane strain.
+/// friction, in plane strain, or with a layer that yields to pressure.
 std::optional<HertzModel> hertz_of(const ContactSetup& setup, const ContactProblem& problem);
 
 /// Mean pressure of each element, totals of the closed form, displacements along n. Frictionless. The

@@ -167,7 +167,7 @@ bool has_influence_files_of_both(const ContactCase& asked) {
 }
 
 ContactTraits traits_of(const ContactCase& asked, const ContactEstimate& estimate) {
-  const double compliance = contact_compliance(asked.setup.rail.material, asked.setup.wheel.material);
+  const PairCompliance compliance = pair_compliance(asked.setup);
   const EstimatedContact contact = estimated_contact(estimate, compliance);
   ContactTraits out;
   out.prescribed = prescribed_of(asked);
@@ -176,7 +176,7 @@ ContactTraits traits_of(const ContactCase& asked, const ContactEstimate& estimat
   out.unlike = !(asked.setup.rail.material == asked.setup.wheel.material);
   out.turn = contact.turn;
   out.normal = contact.normal;
-  out.modulus = 1 / compliance;
+  out.modulus = 1 / compliance.elastic;
   out.approach = estimate.approach;
   out.inclination = std::abs(contact.delta);
   out.size = std::sqrt(contact.length * contact.width);

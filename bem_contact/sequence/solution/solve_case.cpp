@@ -109,6 +109,7 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   out.why_this_model = choice.why_this_model;
   out.model_enough = choice.enough;
   out.problem = std::move(solved.contact.problem);
+  out.layer = std::move(solved.contact.layer);
   out.result = std::move(solved.result);
   out.history = std::move(solved.history);
   out.warnings = std::move(solved.warnings);
@@ -157,8 +158,7 @@ ContactTraits foreseen_traits(const ContactCase& asked, const ContactOnGrid& con
                               const SolveResources& resources) {
   if (asked.estimate)
     return traits_of(asked, *asked.estimate);
-  const double compliance = contact_compliance(asked.setup.rail.material, asked.setup.wheel.material);
-  if (const auto estimate = estimate_contact(contact.problem, compliance))
+  if (const auto estimate = estimate_contact(contact.problem, pair_compliance(asked.setup)))
     return traits_of(asked, *estimate);
   const GridSolution normal = solve_on_growing_grid(asked, contact, {rough_model, true}, resources, false);
   return traits_of(asked, {}, normal.contact.problem, normal.result);

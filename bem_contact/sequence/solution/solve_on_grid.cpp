@@ -5,6 +5,7 @@
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/contact/solve.hpp"
 #include "bem_contact/sequence/models.hpp"
+#include "bem_contact/sequence/solution/layer_slope.hpp"
 #include "bem_contact/sequence/solution/second_solution.hpp"
 #include "bem_contact/sequence/solution/structural_motion.hpp"
 
@@ -30,9 +31,10 @@ constexpr int many_steps = 1000;
 
 /// What a solution takes beside its table of influence numbers is in proportion to it: numbers of each body,
 /// spectra, fields.
-void require_memory(Model model, const ContactProblem& problem) {
+void require_memory(Model model, const ContactOnGrid& contact) {
+  const ContactProblem& problem = contact.problem;
   const ContactGrid& grid = problem.grid;
-  const bool by_distance = !depends_on_both_rows(model);
+  const bool by_distance = !depends_on_both_rows(model) && !contact.layer.by_row();
   InfluenceNumbers table;
   table.offsets = problem.plane_strain() ? 1 : grid.mx + 2;
   table.rows = grid.ms;
@@ -128,7 +130,8 @@ void solve_steps(const ContactSetup& setup, const SolverOptions& options, Contac
           fmt::format("step {} of {} is not a solution ({})", k + 1, last + 1, out.history[k].solver_note));
 }
 
-/// Takes the pair's numbers from where a solution leaves them, and gives them back.
+/// Takes the pair's numbers from where a solution leaves them, puts the layer between the bodies, and gives
+/// them back without it.
 class NumbersOfGrid {
 public:
   NumbersOfGrid(const ContactCase& asked, Model model, const ContactOnGrid& contact,
@@ -139,8 +142,12 @@ public:
                               resources.threads);
         }) {}
 
-  InfluenceNumbers take() const { return store_ ? store_->take(source_, compute_) : compute_(); }
-  /// `elsewhere`: where they go without a store.
+  /// `elsewhere`: where they are without a store, if they are there.
+  InfluenceNumbers take(InfluenceNumbers& elsewhere) {
+    if (!elsewhere.values.empty())
+      return std::move(elsewhere);
+    return store_ ? store_->take(source_, compute_) : compute_();
+  }
   void keep(InfluenceNumbers numbers, InfluenceNumbers& elsewhere) const {
     if (store_)
       store_->keep(source_, std::move(numbers));
@@ -154,16 +161,51 @@ private:
   std::function<InfluenceNumbers()> compute_;
 };
 
+/// While it lives, numbers have a layer on their diagonal; then they are what they were, bit by bit.
+class LayerInNumbers {
+public:
+  LayerInNumbers(const SurfaceLayer& layer, InfluenceNumbers& numbers) : numbers_(numbers) {
+    if (layer.is_none())
+      return;
+    if (layer.by_row() && numbers.translational)
+      before_ = numbers; // small, and the others take another form
+    else
+      for (int row = 0; row < numbers.rows; ++row)
+        for (int i = 0; i < 3; ++i)
+          diagonal_.push_back(numbers.at(0, row, i, row, i));
+    add_layer(layer, numbers);
+  }
+  ~LayerInNumbers() {
+    if (before_)
+      numbers_ = std::move(*before_);
+    for (std::size_t k = 0; k < diagonal_.size(); ++k) {
+      const int row = static_cast<int>(k / 3), i = static_cast<int>(k % 3);
+      numbers_.at(0, row, i, row, i) = diagonal_[k];
+    }
+  }
+  LayerInNumbers(const LayerInNumbers&) = delete;
+  LayerInNumbers& operator=(const LayerInNumbers&) = delete;
+
+private:
+  InfluenceNumbers& numbers_;
+  std::optional<InfluenceNumbers> before_;
+  std::vector<double> diagonal_;
+};
+
 void solve_by_numbers(const ContactCase& asked, const SolveTask& task, const SolveResources& resources,
                       GridSolution& out) {
   ContactProblem problem = out.contact.problem;
-  require_memory(task.model, problem);
+  require_memory(task.model, out.contact);
   const Stopwatch numbers;
-  const NumbersOfGrid pair(asked, task.model, out.contact, resources);
-  problem.numbers = pair.take();
+  NumbersOfGrid pair(asked, task.model, out.contact, resources);
+  problem.numbers = pair.take(out.numbers);
   out.seconds.numbers = numbers.seconds();
   const Stopwatch solving;
   SolverOptions options = options_of(asked, task, resources);
+  if (asked.setup.layer.slope && !task.normal_only)
+    out.contact.layer.shear = {
+        compliance_of_slope(problem, *asked.setup.layer.slope, options, resources.work)};
+  std::optional<LayerInNumbers> layer(std::in_place, out.contact.layer, problem.numbers);
   std::optional<StartingPoint> start;
   if (resources.start && asked.estimate) {
     start = start_from(*resources.start, problem, potential_areas(*asked.estimate), problem.force);
@@ -190,6 +232,7 @@ void solve_by_numbers(const ContactCase& asked, const SolveTask& task, const Sol
     add(out.result);
   std::ranges::for_each(out.history, add);
   out.seconds.solve = solving.seconds() - out.seconds.check - out.seconds.estimate;
+  layer.reset();
   pair.keep(std::move(problem.numbers), out.numbers);
 }
 
@@ -223,8 +266,9 @@ std::optional<FreeCreepage> free_creepage_of(const ContactCase& asked, GridSolut
       ++elements;
     }
   creepage = creepage / elements + result.creepage_x;
-  const NumbersOfGrid pair(asked, solved.model, solved.contact, resources);
-  problem.numbers = solved.numbers.values.empty() ? pair.take() : std::move(solved.numbers);
+  NumbersOfGrid pair(asked, solved.model, solved.contact, resources);
+  problem.numbers = pair.take(solved.numbers);
+  std::optional<LayerInNumbers> layer(std::in_place, solved.contact.layer, problem.numbers);
   WorkBudget work = resources.work.another(); // it must not end the case that is asked for
   std::optional<FreeCreepage> found;
   try {
@@ -236,6 +280,7 @@ std::optional<FreeCreepage> free_creepage_of(const ContactCase& asked, GridSolut
                           work);
   } catch (const Error&) { // free rolling is not what was asked for
   }
+  layer.reset();
   pair.keep(std::move(problem.numbers), solved.numbers);
   const bool stated = result.discretisation && result.discretisation->converges;
   if (stated && found && !std::isfinite(found->error)) // a precise solution may have an error

@@ -106,6 +106,11 @@ bool is_open(const ContactCase& asked) {
   return asked.estimate && !grid.rows && !grid.ms && !grid.mx;
 }
 
+/// Whether influence numbers with the layer depend on both rows.
+bool depends_on_both_rows(const ContactCase& asked, Model model) {
+  return depends_on_both_rows(model) || asked.setup.layer.by_row();
+}
+
 /// Larger where a contact is expected beyond the plan; as far as the strips reach. `former`: the elements by
 /// whose middles it is expected.
 GridPlan widened(const ContactCase& asked, GridPlan plan, Model model, const PotentialArea& expected,
@@ -121,7 +126,7 @@ GridPlan widened(const ContactCase& asked, GridPlan plan, Model model, const Pot
 
 bool has_large_numbers(const ContactCase& asked, const GridPlan& plan, Model model) {
   const double megabytes = 9e-6 * sizeof(double) * plan.rows * plan.rows * (plan.columns + 2.0);
-  return is_open(asked) && depends_on_both_rows(model) && megabytes >= large_numbers;
+  return is_open(asked) && depends_on_both_rows(asked, model) && megabytes >= large_numbers;
 }
 
 GridPlan fitted(const ContactCase& asked, GridPlan plan, Model model, const FormerSolution* former) {
@@ -130,7 +135,7 @@ GridPlan fitted(const ContactCase& asked, GridPlan plan, Model model, const Form
   const std::vector<PotentialArea> areas = potential_areas(*asked.estimate);
   const PotentialArea expected = expected_contact(*former, areas);
   plan = widened(asked, plan, model, expected, former->grid);
-  if (!depends_on_both_rows(model))
+  if (!depends_on_both_rows(asked, model))
     return plan;
   if (const auto known = plan_of_former(asked, plan, model, former))
     return *known;

@@ -70,6 +70,7 @@ std::optional<CreepMatrix> linearised_sensitivities(const SceneFile& scene, cons
   const ContactCase asked = prepare_case(scene, files);
   ContactOnGrid on = asked.setup.on(plan);
   on.problem.numbers = pair_numbers(result.model, asked.setup, asked.files, on);
+  add_layer(result.layer, on.problem.numbers);
   std::vector<SlipChange> changes;
   for (const CreepKind kind : {CreepKind::xi, CreepKind::eta, CreepKind::phi})
     changes.push_back(slip_change(scene, kind, steps[static_cast<std::size_t>(kind)], plan, files));

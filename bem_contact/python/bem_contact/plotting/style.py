@@ -43,6 +43,8 @@ WORDS = {  # of the names in the files; a name that is not here stands as it is
     "pmax": "largest pressure", "area": "area in contact", "Fx": "longitudinal force Fx", "Fy": "lateral force Fy", "Fz": "vertical force Fz",
     "Fs": "shear force Fs along the profile", "Mz": "moment Mz about the vertical", "lateral": "lateral displacement",
     "free_rolling_xi": "creepage of free rolling", "free_rolling_radius": "rolling radius of free rolling",
+    "layer_compliance": "compliance of the layer", "layer_normal_compliance": "compliance of the layer under pressure",
+    "layer.compliance": "compliance of the layer", "layer.slope": "slope with the layer over that without",
     "T_gamma": "T-gamma", "friction_power": "friction power", "adhesion_share": "share in adhesion", "patch_count": "number of patches",
     "Tmax_rail": "hottest place of the rail", "Tmax_wheel": "hottest place of the wheel",
     "reference_y": "reference point, y", "reference_z": "reference point, z", "reference_delta": "reference point, inclination",
