@@ -270,8 +270,8 @@ def not_validated(page):
                """Stresses below a curved surface use half-space formulas from the tractions found; a warning says where the
         surface is too curved.""")
     page.heading("7 What is not validated")
-    page.items("**No measurement.** Nothing here was compared with an experiment: no ultrasonic or pressure-film contact patch, no creep "
-               "force of a roller rig or a vehicle, no wear.",
+    page.items("**Measurements**: creep forces of one locomotive, and the shape of one curve of a roller rig "
+               "([VALIDATION.md](VALIDATION.md)). No ultrasonic or pressure-film contact patch, no wear.",
                "**Coulomb's law** and its coefficients: friction that falls with slip, third bodies, water, temperature.",
                "**Plasticity**: beyond first yield the pressure is that of an elastic body.",
                "**Roughness and measured profiles**: noise on a profile changes the contact; the exact solutions are smooth.",

@@ -23,6 +23,10 @@ class Page:
     def verbatim(self, text):
         self.blocks.append(("verbatim", text))
 
+    def picture(self, name, words):
+        """A file in data/pictures, seen from tests/; only in the Markdown page."""
+        self.blocks.append(("picture", (name, words)))
+
     def figure(self, svg):
         """Only in the HTML page."""
         self.blocks.append(("figure", svg))
@@ -36,6 +40,8 @@ class Page:
                 out.append(wrap(content))
             elif kind == "items":
                 out.append("\n".join(wrap(i, "- ", "  ") for i in content))
+            elif kind == "picture":
+                out.append("![{1}](../data/pictures/{0})".format(*content))
             elif kind == "verbatim":
                 out.append("\n".join("    " + line for line in content.splitlines()))
             elif kind == "table":

@@ -1,0 +1,43 @@
+"""Measured points: read, put into bins, drawn."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from plotting.style import GRID, INK, plt
+
+
+def read(file, columns):
+    """The columns of a CSV file whose comments begin with '#'."""
+    lines = [line for line in file.read_text().splitlines() if line.strip() and not line.startswith("#")]
+    head = [name.strip() for name in lines[0].split(",")]
+    if head != columns:
+        raise SystemExit(f"The file '{file}' has other columns (they are {', '.join(head)}) Give {', '.join(columns)}.")
+    return np.array([[float(v) for v in line.split(",")] for line in lines[1:]]).T
+
+
+@dataclass
+class Bin:
+    """Points of about one creepage."""
+
+    creepage: float  # mean, percent
+    force: float     # mean
+    scatter: float   # standard deviation of the points
+    count: int
+
+
+def bins(creepage, force, centres):
+    """Edges at the geometric means of the centres; the first and the last bin are open."""
+    edges = [0, *np.sqrt(np.array(centres[1:]) * centres[:-1]), np.inf]
+    inside = [(creepage >= a) & (creepage < b) for a, b in zip(edges, edges[1:])]
+    return [Bin(creepage[i].mean(), force[i].mean(), force[i].std(ddof=1), i.sum()) for i in inside]
+
+
+def picture(file, title, x, y, draw, log=False):
+    figure, axis = plt.subplots(figsize=(7.5, 4.4), layout="constrained")
+    draw(axis)
+    axis.set(title=title, xlabel=x, ylabel=y)
+    axis.set_xscale("log" if log else "linear")
+    axis.grid(color=GRID)
+    axis.legend(frameon=False, labelcolor=INK, fontsize=9)
+    figure.savefig(file, dpi=100, metadata={"Software": None})
+    plt.close(figure)
