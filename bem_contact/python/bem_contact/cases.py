@@ -7,7 +7,7 @@ class Sweep(dict):
     """The columns of a sweep by their names, as a dict; help(bem_contact.sweep) says which there are."""
 
     def to_frame(self, rows="cases"):
-        """A DataFrame of pandas: one row for each case, or, of rows="patches", for each patch (none of wheelsets).
+        """A DataFrame of pandas: one row for each case, or, of rows="patches", for each patch.
 
         The columns of patches `case` and `patch` say whose they are. Raises InputError where pandas is missing.
         """
