@@ -47,8 +47,8 @@ bool left_out(std::string_view path) {
       "largest_shear", "stress"};
   const std::string_view last = name.substr(name.rfind('/') + 1);
   const bool of_case = name.starts_with("cases/") && name.find('/', 6) != name.npos;
-  return (of_case && last != "reason") || name == "inputs" || last == "structure" || last == "step_fields" ||
-         std::ranges::find(fields, last) != fields.end();
+  return (of_case && last != "reason") || (name.starts_with("inputs/") && last == "content") ||
+         last == "structure" || last == "step_fields" || std::ranges::find(fields, last) != fields.end();
 }
 
 /// The profiles of steps spread evenly from the first to the last, where all of them lie beside the file.

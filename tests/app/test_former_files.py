@@ -143,7 +143,8 @@ class FormerFiles(unittest.TestCase):
             self.program("report", file, "-o", file.with_suffix(".html"))
             pages.append(json.loads(re.search(r'id="data">(.*?)</script>', file.with_suffix(".html").read_text(), re.S)[1])["data"])
         for path in ("quantities/Fx", "quantities/dx", "quantities/certificate", "certificate/tolerance", "friction", "x", "rail_profile", "p_n",
-                     "attributes/certified", "attributes/why_this_model", "attributes/frame", "solver/attributes/normal", "patches/Fn"):
+                     "attributes/certified", "attributes/why_this_model", "attributes/frame", "solver/attributes/normal", "patches/Fn",
+                     "inputs/wheel.profile/attributes/name"):  # "a wheel with the profile S1002"
             found = pages
             for name in path.split("/"):
                 found = [page[name] for page in found]
