@@ -424,13 +424,14 @@ class LittleMemory(Hostile):
     def test_a_limit(self):
         large = self.scene(PATCH, grid__mx=4096, grid__ms=4096)
         sweep = self.write("sweep.toml", toml_of(PATCH) + "[sweep]\ngrid.mx = [40, 4096]\nmode = 'zip'\n")
-        for megabytes in (60, 100, 150, 200, 300):
-            with self.subTest(megabytes):
-                self.assertIn(self.limited(megabytes, "--version")[0], (0, 127) if megabytes < 100 else (0,))
-                if megabytes >= 100:
-                    self.refused(self.limited(megabytes, "solve", large), "Memory ran out", "fewer elements", code=1)
-        for megabytes in (100, 150):
-            code, message = self.limited(megabytes, "sweep", sweep, "-o", self.folder / f"m{megabytes}.h5", "--jobs", "1")
+        # Libraries reserve addresses before main(): OpenBLAS of Debian 13 some 128 MB. Below that nothing can be said.
+        starts = next(m for m in range(40, 400, 10) if self.limited(m, "--version")[0] == 0)
+        for more in (30, 80, 130, 230):
+            with self.subTest(more):
+                self.assertEqual(self.limited(starts + more, "--version")[0], 0)
+                self.refused(self.limited(starts + more, "solve", large), "Memory ran out", "fewer elements", code=1)
+        for more in (10, 60):
+            code, message = self.limited(starts + more, "sweep", sweep, "-o", self.folder / f"m{more}.h5", "--jobs", "1")
             self.assertIn(code, (0, 3), message)  # a case that found no memory has died, the others are there
 
 

@@ -30,6 +30,7 @@ TEST(Models, EachHasOneRow) {
 }
 
 /// What a row says of its influence numbers is true of those that it makes, on a grid in the gauge corner.
+/// (Two equal bodies may have numbers that depend on the distance alone where the row does not promise it.)
 TEST(Models, NumbersAreWhatTheirRowsSay) {
   const SceneFile scene = shipped("conformal_small.toml");
   SequenceFiles files;
@@ -46,7 +47,7 @@ TEST(Models, NumbersAreWhatTheirRowsSay) {
     if (row.numbers) {
       ++made;
       const InfluenceNumbers numbers = numbers_of(row, asked);
-      EXPECT_EQ(numbers.translational, !depends_on_both_rows(row.model)) << name_of(row.model);
+      EXPECT_TRUE(numbers.translational || depends_on_both_rows(row.model)) << name_of(row.model);
       const bool moves = numbers.values != numbers_of(row, asked, 4).values;
       EXPECT_EQ(moves, depends_on_both_rows(row.model)) << name_of(row.model);
       ContactCase without = asked;
