@@ -9,8 +9,8 @@
 #include "bem_contact/contact/coupled/solve_coupled.hpp"
 #include "bem_contact/contact/flash_temperature.hpp"
 #include "bem_contact/contact/grid/larger_elements.hpp"
-#include "bem_contact/contact/grid/patches.hpp"
 #include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/totals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -91,26 +91,6 @@ void fill_fields(const ContactProblem& problem, const contact::Solution& solutio
   }
 }
 
-void sum_forces(const ContactProblem& problem, ContactResult& result) {
-  const double area = problem.element_area();
-  const int mx = problem.grid.mx;
-  for (int is = 0; is < problem.grid.ms; ++is) {
-    const ContactRow& row = problem.rows[is];
-    const Point2 tangent = tangent_of(row.delta), normal = normal_of(row.delta);
-    const double share = problem.lateral_share(is);
-    for (int ix = 0; ix < mx; ++ix) {
-      const int i = is * mx + ix;
-      const double fx = result.px[i] * area;
-      const Point2 f = area * (result.ps[i] * tangent + result.pn[i] * normal);
-      result.Fx += fx;
-      result.Fy += f.y;
-      result.Fz += f.z;
-      result.Fs += result.ps[i] * area * share;
-      result.Mz += problem.grid.x(ix) * f.y - row.position.y * fx;
-    }
-  }
-}
-
 /// Throws where friction leaves no equilibrium.
 void require_balance(const ContactProblem& problem, const contact::Solution& solution) {
   if (!solution.unbalanced)
@@ -139,11 +119,9 @@ ContactResult result_of(const ContactProblem& problem, const contact::Solution& 
   result.creepage_s = solution.creepage.s;
   result.compliance_x = solution.creepage.compliance_x;
   result.compliance_s = solution.creepage.compliance_s;
-  sum_forces(problem, result);
-  result.patches = contact::find_patches(problem, result);
+  set_totals(problem, result);
   if (problem.heating && problem.has_friction())
     result.temperatures = flash_temperatures(problem, result);
-  result.touches_border = contact::touches_border(problem.grid, result.state);
   result.normal_solver = solution.normal.solver;
   result.tangential_solver = solution.shear.solver;
   result.outer_iterations = solution.outer_iterations;

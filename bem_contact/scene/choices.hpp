@@ -56,7 +56,7 @@ template <> struct EnumNames<ContactMotion> {
 };
 
 /// The model of the bodies' elasticity. Sweeps keep a model as its number here, so a new one comes last.
-enum class Model { hertz, halfspace, tangent_plane, fem };
+enum class Model { hertz, halfspace, tangent_plane, fem, simplified };
 
 /// What a scene knows of a model, and how people read it. How it is solved is in sequence/models.hpp.
 struct ModelWords {
@@ -75,6 +75,8 @@ inline constexpr auto model_words = std::to_array<ModelWords>({
     {"tangent_plane", "tangent plane",
      "a half-space at the tangent plane of each element: the surface turns, but has no other shape", false},
     {"fem", "FEM", "influence files of both bodies, computed by finite elements", true},
+    {"simplified", "simplified",
+     "Kalker's simplified theory (FASTSIM) on Hertz's ellipse of each patch: steady rolling", false},
 });
 
 constexpr const ModelWords& words_of(Model model) {

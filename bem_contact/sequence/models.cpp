@@ -3,6 +3,7 @@
 #include "bem_contact/sequence/numbers/pair_numbers.hpp"
 #include "bem_contact/sequence/plan/hertz_model.hpp"
 #include "bem_contact/sequence/plan/model_choice.hpp"
+#include "bem_contact/sequence/plan/simplified_model.hpp"
 
 #include <algorithm>
 
@@ -12,6 +13,7 @@ namespace {
 
 // The order is that of cost.
 constexpr ElasticityModel rows_of_models[] = {
+    {.model = Model::simplified, .in_words = "simplified theory", .solve = solve_simplified},
     {.model = Model::hertz, .in_words = "Hertz's closed form", .solve = solve_hertz, .fit = fit_of_hertz},
     {.model = Model::halfspace,
      .in_words = "half-space theory",

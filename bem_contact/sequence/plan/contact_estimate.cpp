@@ -298,6 +298,29 @@ EstimatedContact estimated_contact(const ContactEstimate& estimate, const PairCo
   return contact_at(moved, q, compliance);
 }
 
+std::vector<EstimatedArea> estimated_areas(const ContactEstimate& estimate,
+                                           const PairCompliance& compliance) {
+  std::vector<EstimatedArea> out;
+  const double width = width_of(estimate.slices), reach = estimate.penetration * estimate.approach;
+  for_each_area(
+      estimate.slices, estimate.lift, estimate.approach, compliance, width,
+      [&](std::span<const RailSlice> area, const RailSlice& deepest, const Series& series, double) {
+        EstimatedArea& one = out.emplace_back(EstimatedArea{
+            .normal = series.force, .x = deepest.x, .half = deepest.half, .depth = deepest.depth(reach)});
+        double weights = 0;
+        for (const RailSlice& c : area) {
+          const double squared = std::max(c.depth(reach), 0.0) / c.half;
+          one.overlap += 2 * std::sqrt(squared) * width;
+          one.s += squared * c.s;
+          one.delta += squared * c.delta;
+          weights += squared;
+        }
+        one.s /= weights;
+        one.delta /= weights;
+      });
+  return out;
+}
+
 std::optional<ContactEstimate> estimate_contact(const ContactProblem& problem,
                                                 const PairCompliance& compliance) {
   const ContactGrid& grid = problem.grid;

@@ -68,6 +68,17 @@ struct EstimatedContact {
 EstimatedContact estimated_contact(const ContactEstimate& estimate, const PairCompliance& compliance,
                                    double shift_y = 0);
 
+/// One area of the estimate.
+struct EstimatedArea {
+  double normal = 0;          ///< force, N
+  double x = 0, s = 0;        ///< middle: of the deepest slice along x, of the overlap along s, mm
+  double delta = 0;           ///< inclination there, rad
+  double half = 0, depth = 0; ///< of the deepest slice: half the curvature along x, 1/mm; overlap, mm
+  double overlap = 0; ///< area where the bodies would overlap at the estimate's share of the approach, mm^2
+};
+/// All areas that touch, along s.
+std::vector<EstimatedArea> estimated_areas(const ContactEstimate& estimate, const PairCompliance& compliance);
+
 /// Uses the same method on the rows of a problem, whose undeformed distance is known. Returns nothing in
 /// plane strain, and on fewer than three columns.
 std::optional<ContactEstimate> estimate_contact(const ContactProblem& problem,

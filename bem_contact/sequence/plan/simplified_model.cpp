@@ -1,0 +1,317 @@
+#include "bem_contact/sequence/plan/simplified_model.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/totals.hpp"
+#include "bem_contact/reference/creep_coefficients.hpp"
+#include "bem_contact/reference/hertz.hpp"
+#include "bem_contact/sequence/plan/contact_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace bem_contact {
+
+namespace {
+
+/// 1. Ratios of the semi-axes for which there are creep coefficients (reference/creep_coefficients.hpp);
+/// beyond them the nearest are taken.
+constexpr double flattest = 0.1, longest = 10;
+/// 1. Degree of their polynomials: 1e-3, far less than the theory misses, at a thirtieth of the time of 12.
+constexpr int coefficient_degree = 6;
+/// 1. Fewest elements of a patch.
+constexpr int fewest_patch_elements = 9;
+/// 1. A vertical force of pressure and shear, and prescribed shear forces, are met to this share.
+constexpr double force_precision = 1e-10;
+constexpr int most_force_steps = 100;
+
+/// Where the creepages of a patch are those at its middle: w = (xi - phi s, eta + phi x).
+struct PatchCreepage {
+  double xi = 0, eta = 0, phi = 0;
+};
+
+/// From the rigid slip of the elements: by least squares over those of the ellipse.
+PatchCreepage creepage_of(const ContactProblem& problem, const SimplifiedPatch& patch,
+                          const std::vector<int>& elements) {
+  PatchCreepage out;
+  double x_mean = 0, s_mean = 0, turning = 0, squares = 0;
+  const double n = double(elements.size());
+  for (const int i : elements) {
+    out.xi += problem.slip_x[i] / n;
+    out.eta += problem.slip_s[i] / n;
+    x_mean += (problem.grid.x(i % problem.grid.mx) - patch.x) / n;
+    s_mean += (problem.rows[i / problem.grid.mx].s - patch.s) / n;
+  }
+  for (const int i : elements) {
+    const double x = problem.grid.x(i % problem.grid.mx) - patch.x - x_mean,
+                 s = problem.rows[i / problem.grid.mx].s - patch.s - s_mean;
+    turning += x * (problem.slip_s[i] - out.eta) - s * (problem.slip_x[i] - out.xi);
+    squares += x * x + s * s;
+  }
+  out.phi = turning / squares;
+  out.xi += out.phi * s_mean;
+  out.eta -= out.phi * x_mean;
+  return out;
+}
+
+double radius_in(const SimplifiedPatch& patch, double x, double s) {
+  return std::hypot((x - patch.x) / patch.semi_axis_x, (s - patch.s) / patch.semi_axis_s);
+}
+
+/// Elements whose middle lies in the ellipse and in no larger one, row by row, each row from its leading
+/// edge.
+std::vector<std::vector<int>> elements_of(const ContactProblem& problem,
+                                          const std::vector<SimplifiedPatch>& patches) {
+  const ContactGrid& grid = problem.grid;
+  std::vector<std::vector<int>> out(patches.size());
+  for (int is = 0; is < grid.ms; ++is)
+    for (int ix = grid.mx - 1; ix >= 0; --ix)
+      for (std::size_t k = 0; k < patches.size(); ++k)
+        if (radius_in(patches[k], grid.x(ix), problem.rows[is].s) < 1) {
+          out[k].push_back(is * grid.mx + ix);
+          break;
+        }
+  return out;
+}
+
+/// Pressure, and the bound of Coulomb's law: both sum to what the normal force asks for.
+struct PatchFields {
+  std::vector<double> pressure, bound; ///< of its elements, MPa
+};
+
+PatchFields fields_of(const ContactProblem& problem, const SimplifiedPatch& patch,
+                      const std::vector<int>& elements) {
+  PatchFields out;
+  double ellipsoid = 0, paraboloid = 0;
+  for (const int i : elements) {
+    const double r =
+        radius_in(patch, problem.grid.x(i % problem.grid.mx), problem.rows[i / problem.grid.mx].s);
+    out.pressure.push_back(std::sqrt(1 - r * r));
+    out.bound.push_back(1 - r * r);
+    ellipsoid += out.pressure.back();
+    paraboloid += out.bound.back();
+  }
+  const double normal = patch.normal / problem.element_area();
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    out.pressure[k] *= normal / ellipsoid;
+    out.bound[k] *= normal / paraboloid * problem.friction_of(elements[k] / problem.grid.mx);
+  }
+  return out;
+}
+
+/// Shear tractions, slip and states of one patch.
+void roll_through(const ContactProblem& problem, const SimplifiedPatch& patch,
+                  const std::vector<int>& elements, const PatchFields& fields, const PatchCreepage& creepage,
+                  ContactResult& result) {
+  const int mx = problem.grid.mx;
+  double px = 0, ps = 0, before = 0; // the last place
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    const int i = elements[k];
+    const double s = problem.rows[i / mx].s - patch.s, x = problem.grid.x(i % mx) - patch.x;
+    if (k == 0 || elements[k - 1] / mx != i / mx) { // a row begins at its leading edge
+      px = ps = 0;
+      before = patch.semi_axis_x * std::sqrt(1 - std::pow(s / patch.semi_axis_s, 2));
+    }
+    const double step = before - x, middle = 0.5 * (before + x);
+    px += step * (creepage.xi / patch.of_xi - creepage.phi * s / patch.of_phi);
+    ps += step * (creepage.eta / patch.of_eta + creepage.phi * middle / patch.of_phi);
+    before = x;
+    const double size = std::hypot(px, ps), bound = fields.bound[k];
+    result.state[i] = size > bound ? ElementState::slip : ElementState::adhesion;
+    if (size > bound) {
+      const double beyond = 1 - bound / size; // what bounded slip takes off
+      result.slip_x[i] = beyond * px * patch.of_xi / step;
+      result.slip_s[i] = beyond * ps * patch.of_eta / step;
+      px *= bound / size;
+      ps *= bound / size;
+    }
+    result.pn[i] = fields.pressure[k];
+    result.px[i] = px;
+    result.ps[i] = ps;
+  }
+}
+
+void require_served(const ContactSetup& setup, const ContactProblem& problem) {
+  const char* why = problem.plane_strain()                 ? "plane strain has no ellipse"
+                    : !problem.has_friction()              ? "it is about friction, and there is none"
+                    : problem.motion != MotionKind::steady ? "it is of steady rolling"
+                    : !problem.is_coulomb()                ? "its friction is Coulomb's, with one coefficient"
+                    : setup.layer.normal > 0               ? "it has no layer that yields to pressure"
+                    : setup.layer.slope                    ? "it knows no slope of influence numbers"
+                                                           : nullptr;
+  if (why)
+    throw InputError("The simplified theory does not fit this contact", why, "Choose another model.");
+}
+
+ContactResult empty_result(const ContactProblem& problem) {
+  ContactResult result;
+  for (auto* field : {&result.px, &result.ps, &result.pn, &result.slip_x, &result.slip_s})
+    field->assign(problem.grid.size(), 0.0);
+  result.deformed_distance = problem.gap;
+  result.state.assign(problem.grid.size(), ElementState::exterior);
+  result.normal_solver = "Hertz by patch";
+  result.tangential_solver = "simplified theory";
+  result.why_no_errors = "what the simplified theory misses is not a matter of elements";
+  return result;
+}
+
+/// All patches under these normal forces and with so much creepage added.
+ContactResult solved_with(const ContactProblem& problem, const std::vector<SimplifiedPatch>& patches,
+                          const std::vector<std::vector<int>>& elements, double creepage_x,
+                          double creepage_s) {
+  ContactResult result = empty_result(problem);
+  result.creepage_x = creepage_x;
+  result.creepage_s = creepage_s;
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    PatchCreepage creepage = creepage_of(problem, patches[k], elements[k]);
+    creepage.xi += creepage_x;
+    creepage.eta += creepage_s * std::cos(patches[k].delta - problem.reference_delta);
+    roll_through(problem, patches[k], elements[k], fields_of(problem, patches[k], elements[k]), creepage,
+                 result);
+  }
+  set_totals(problem, result);
+  return result;
+}
+
+/// Creepages for prescribed shear forces: Newton's method with differences, halved where it overshoots.
+ContactResult solved_for_forces(const ContactProblem& problem, const std::vector<SimplifiedPatch>& patches,
+                                const std::vector<std::vector<int>>& elements) {
+  double capacity = 0;
+  for (const SimplifiedPatch& patch : patches)
+    capacity += patch.normal * problem.largest_friction();
+  double x = 0, s = 0;
+  ContactResult at = solved_with(problem, patches, elements, x, s);
+  const auto missing = [&](const ContactResult& r) {
+    return std::pair(problem.force_x ? *problem.force_x - r.Fx : 0.0,
+                     problem.force_s ? *problem.force_s - r.Fs : 0.0);
+  };
+  const auto size_of = [](const std::pair<double, double>& miss) {
+    return std::hypot(miss.first, miss.second);
+  };
+  for (int step = 0; step < most_force_steps && size_of(missing(at)) > force_precision * capacity; ++step) {
+    const double by = 1e-8;
+    const ContactResult along = solved_with(problem, patches, elements, x + by, s),
+                        across = solved_with(problem, patches, elements, x, s + by);
+    const double xx = problem.force_x ? (along.Fx - at.Fx) / by : 1,
+                 xs = problem.force_x ? (across.Fx - at.Fx) / by : 0,
+                 sx = problem.force_s ? (along.Fs - at.Fs) / by : 0,
+                 ss = problem.force_s ? (across.Fs - at.Fs) / by : 1;
+    const auto [mx, ms] = missing(at);
+    const double determinant = xx * ss - xs * sx;
+    double share = 1;
+    ContactResult next = at;
+    for (; share > 1e-6; share *= 0.5) {
+      const double dx = problem.force_x ? share * (ss * mx - xs * ms) / determinant : 0,
+                   ds = problem.force_s ? share * (xx * ms - sx * mx) / determinant : 0;
+      next = solved_with(problem, patches, elements, x + dx, s + ds);
+      if (size_of(missing(next)) < size_of(missing(at)))
+        break;
+    }
+    if (!(share > 1e-6))
+      break;
+    at = std::move(next);
+    x = at.creepage_x, s = at.creepage_s;
+  }
+  if (size_of(missing(at)) > 1e-6 * capacity)
+    throw InputError("No creepage gives the prescribed shear forces",
+                     fmt::format("friction carries at most {:.0f} N", capacity), "Give smaller forces.");
+  return at;
+}
+
+/// Flexibilities of a patch.
+void set_flexibilities(const ContactSetup& setup, const SurfaceLayer& layer, int row,
+                       SimplifiedPatch& patch) {
+  const Material &one = setup.rail.material, &other = setup.wheel.material;
+  const double shear = 2 / (1 / one.shear_modulus + 1 / other.shear_modulus),
+               poisson =
+                   0.5 * shear * (one.poisson / one.shear_modulus + other.poisson / other.shear_modulus);
+  const double a = patch.semi_axis_x, ratio = std::clamp(a / patch.semi_axis_s, flattest, longest);
+  const auto c = reference::creep_coefficients(ratio, poisson, coefficient_degree);
+  const double compliance = layer.shear_of(row);
+  patch.of_xi = 8 * a / (3 * c.c11 * shear) + compliance;
+  patch.of_eta = 8 * a / (3 * c.c22 * shear) + compliance;
+  patch.of_phi = std::numbers::pi * a * std::sqrt(a / patch.semi_axis_s) / (4 * c.c23 * shear) + compliance;
+}
+
+void require_elements(const SimplifiedPatch& patch, const std::vector<int>& elements) {
+  if (elements.size() < fewest_patch_elements)
+    throw InputError("The elements are too large for the simplified theory",
+                     fmt::format("an ellipse with the semi-axes {:.3g} and {:.3g} mm has {} of them",
+                                 patch.semi_axis_x, patch.semi_axis_s, elements.size()),
+                     "Give smaller elements.");
+}
+
+/// Where the undeformed distance of a row is least, mm: the vertex of a parabola through the three elements
+/// about it. A shift along x of half an element is as much as a creepage.
+double nearest_x(const ContactProblem& problem, int row) {
+  const ContactGrid& grid = problem.grid;
+  const double* h = problem.gap.data() + static_cast<std::size_t>(row) * grid.mx;
+  const int ix = std::clamp(static_cast<int>(std::min_element(h, h + grid.mx) - h), 1, grid.mx - 2);
+  const double bend = h[ix - 1] - 2 * h[ix] + h[ix + 1];
+  const double off = bend > 0 ? std::clamp(0.5 * (h[ix - 1] - h[ix + 1]) / bend, -1.0, 1.0) : 0.0;
+  return grid.x(ix) + off * grid.dx;
+}
+
+} // namespace
+
+std::vector<SimplifiedPatch> simplified_patches(const ContactSetup& setup, const ContactProblem& problem) {
+  const double modulus = reference::contact_modulus(setup.rail.material, setup.wheel.material);
+  std::vector<SimplifiedPatch> out;
+  const std::optional<ContactEstimate> estimate = estimate_contact(problem, pair_compliance(setup));
+  if (!estimate)
+    return out;
+  for (const EstimatedArea& area : estimated_areas(*estimate, pair_compliance(setup))) {
+    const double along = std::sqrt(area.depth / area.half),
+                 across = area.overlap / (std::numbers::pi * along);
+    if (!(area.normal > 0) || !(across > 0))
+      continue;
+    SimplifiedPatch patch{.x = area.x, .s = area.s, .normal = area.normal, .delta = area.delta};
+    patch.curvature_x = area.half;
+    patch.curvature_s = area.depth / (across * across);
+    const auto hertz = reference::hertz_by_force(patch.curvature_x, patch.curvature_s, modulus, area.normal);
+    patch.semi_axis_x = hertz.semi_axis_x;
+    patch.semi_axis_s = hertz.semi_axis_s;
+    patch.pressure = hertz.max_pressure;
+    patch.approach = hertz.approach;
+    const int row = static_cast<int>(std::lround(row_index(problem, patch.s)));
+    patch.x = nearest_x(problem, row);
+    set_flexibilities(setup, setup.layer.on(problem.rows), row, patch);
+    out.push_back(patch);
+  }
+  std::ranges::sort(out, std::greater(), &SimplifiedPatch::normal);
+  return out;
+}
+
+ContactResult solve_simplified(const ContactSetup& setup, const ContactProblem& problem) {
+  require_served(setup, problem);
+  std::vector<SimplifiedPatch> patches = simplified_patches(setup, problem);
+  const std::vector<std::vector<int>> elements = elements_of(problem, patches);
+  for (std::size_t k = 0; k < patches.size(); ++k)
+    require_elements(patches[k], elements[k]);
+  ContactResult result = solved_for_forces(problem, patches, elements);
+  for (int step = 0; problem.load == LoadKind::force && result.Fz > 0 && step < most_force_steps &&
+                     std::abs(result.Fz / problem.force - 1) > force_precision;
+       ++step) { // on a flange shear bears a part
+    for (SimplifiedPatch& patch : patches)
+      patch.normal *= problem.force / result.Fz;
+    result = solved_for_forces(problem, patches, elements);
+  }
+  result.approach = problem.load == LoadKind::approach ? problem.approach : 0.0;
+  if (problem.load == LoadKind::force && !patches.empty())
+    result.approach =
+        (patches.front().approach + *std::ranges::min_element(problem.gap)) / std::cos(patches.front().delta);
+  for (int i = 0; i < problem.grid.size(); ++i) {
+    const double apart = problem.gap[i] - result.approach * std::cos(problem.rows[i / problem.grid.mx].delta);
+    result.deformed_distance[i] = result.pn[i] > 0 ? 0.0 : std::max(apart, 0.0);
+  }
+  result.displacements.un.assign(problem.grid.size(), 0.0);
+  set_totals(problem, result); // the overlap of patches is that of this approach
+  result.certificate.discretisation = 0;
+  if (problem.load == LoadKind::force)
+    result.certificate.force_balance = problem.force > 0 ? std::abs(result.Fz / problem.force - 1) : 0.0;
+  result.converged = result.certificate.holds();
+  return result;
+}
+
+} // namespace bem_contact

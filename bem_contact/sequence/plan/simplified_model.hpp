@@ -1,0 +1,39 @@
+#pragma once
+
+#include "bem_contact/contact/result.hpp"
+#include "bem_contact/scene/contact_setup.hpp"
+
+#include <vector>
+
+namespace bem_contact {
+
+/// One patch of the simplified theory: an ellipse about (x, s), its axes along x and s.
+struct SimplifiedPatch {
+  double x = 0, s = 0;                     ///< middle, mm
+  double semi_axis_x = 0, semi_axis_s = 0; ///< mm
+  double normal = 0;                       ///< force, N
+  double pressure = 0, approach = 0;       ///< of Hertz, MPa, mm
+  double curvature_x = 0, curvature_s = 0; ///< halves, of the undeformed distance, 1/mm
+  double delta = 0;                        ///< inclination, rad
+  /// Kalker's flexibilities of xi, eta and phi, mm^3/N, with the layer's compliance in each.
+  double of_xi = 0, of_eta = 0, of_phi = 0;
+};
+
+/// The patches of the estimate of Kik and Piotrowski (contact_estimate.hpp) on the rows of a problem. Each is
+/// made an ellipse of Hertz under the normal force that the estimate gives it: with the curvature along x of
+/// its deepest row, and with that along s for which an ellipse has the area where the bodies overlap. One
+/// that touches in an ellipse is Hertz's own.
+std::vector<SimplifiedPatch> simplified_patches(const ContactSetup& setup, const ContactProblem& problem);
+
+/// Kalker's simplified theory (FASTSIM, 1982) on these ellipses, in steady rolling. From p = 0 at the leading
+/// edge, with the creepages at the middle of the patch,
+///     dp_x/dx = -(xi / L1 - phi s / L3), dp_s/dx = -(eta / L2 + phi x / L3),
+///     L1 = 8 a / (3 C11 G), L2 = 8 a / (3 C22 G), L3 = pi a sqrt(a/b) / (4 C23 G),
+/// and where |p| exceeds mu times a paraboloid of the normal force it is that in its own direction: bounded
+/// slip. The pressure that the result has is Hertz's ellipsoid; in the middle of a patch the paraboloid is
+/// 4/3 of it. Creepages of prescribed shear forces are found. A prescribed vertical force is that of pressure
+/// and shear together. Throws InputError for a contact that the theory does not fit: without friction, in
+/// other motions, in plane strain, with friction that is not Coulomb's, on elements that are too large.
+ContactResult solve_simplified(const ContactSetup& setup, const ContactProblem& problem);
+
+} // namespace bem_contact
