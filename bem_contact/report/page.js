@@ -91,15 +91,16 @@ const addComparison = () => {
 const addSweep = () => {
   const keys = sweptKeys(data).filter(k => new Set(data[k].values).size > 1), wheels = "right_share" in data;
   const both = name => [`right_${name}`, `left_${name}`];
-  const columns = (wheels ? ["lateral", "roll", ...both("share"), ...both("Fy"), ...both("pmax"), ...both("T_gamma")] : ["pmax", "area", "Fx", "Fy", "Fz", "Mz", "T_gamma"]).filter(name => name in data);
+  const columns = wheels ? ["lateral", "roll", ...both("share"), ...both("Fy"), ...both("pmax")] : ["pmax", "area", "Fx", "Fy", "Fz", "Mz"];
   const key = leadingKey(data, keys);
   add("h2", "Cases");
   if (!wheels && data.patches?.y.values.some(y => y !== null))
     addFigure("patches-over-y", "Where the patches lie on the rail: each bar is as wide as its patch; larger marks carry larger " +
               "normal forces, darker ones larger pressures.", patchesFigure(data, key));
-  for (const names of wheels ? [...(key === "position.lateral" ? [] : [["lateral"]]), ["roll"], both("share"), both("Fy"), both("pmax")]
-                             : [["pmax"], ["area"], ["Fx", "Fy"], ["Mz"]])
-    addFigure(`over-${names.join("-")}`, `${[...new Set(names.map(ofEither))].map(words).join(" and ")} over the ${key ? words(key) : "cases"}.`, sweepFigure(data, keys, key, names));
+  for (const names of wheels ? [...(key === "position.lateral" ? [] : [["lateral"]]), ["roll"], both("share"), both("Fy"), both("pmax"), both("T_gamma")]
+                             : [["pmax"], ["area"], ["Fx", "Fy"], ["Mz"], ["T_gamma"]])
+    if (names.every(name => name in data))
+      addFigure(`over-${names.join("-")}`, `${[...new Set(names.map(ofEither))].map(words).join(" and ")} over the ${key ? words(key) : "cases"}.`, sweepFigure(data, keys, key, names));
   const status = ["missing", "certified", "not certified", "refused", "died"];
   addTable("All cases", ["case", ...keys.map(k => withUnit(k, data[k]).replace(".", ".\u200b")), ...columns.map(name => withUnit(name, data[name])), "status"],
            data.status.values.map((state, i) =>
