@@ -79,6 +79,7 @@ inline constexpr auto model_words = std::to_array<ModelWords>({
      "Kalker's simplified theory (FASTSIM) on Hertz's ellipse of each patch: steady rolling", false},
 });
 
+/// Returns the words for a model.
 constexpr const ModelWords& words_of(Model model) {
   return model_words[static_cast<std::size_t>(model)];
 }

@@ -125,10 +125,12 @@ struct SceneFile {
     /// wheel_rail: rates of a wheel in a flexible wheelset, in the directions of WheelsetPosition::deviation
     /// and forwards, mm/s, and rad/s; pitch: positive as it rolls forwards.
     struct WheelRates {
-      double forward = 0, lateral = 0, vertical = 0, roll = 0, pitch = 0, yaw = 0;
+      double forward = 0, lateral = 0, vertical = 0; ///< mm/s
+      double roll = 0, pitch = 0, yaw = 0;           ///< rad/s
 
       bool operator==(const WheelRates&) const = default;
-    } wheel;
+    };
+    WheelRates wheel;                   ///< of this wheel beside the rigid wheelset
     std::optional<double> roller_speed; ///< wheel_rail: of a roller, rad/s; empty: its surface has the speed
     /// patch: CSV file with columns ix, is, wx, ws instead of creepages; wx, ws per unit of rolled distance
     /// (shift: mm).
