@@ -2,8 +2,13 @@
 
 from dataclasses import dataclass
 
+import matplotlib
 import numpy as np
-from plotting.style import GRID, INK, plt
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+INK, GRID = "#1c2733", "#e3e7eb"
 
 
 def read(file, columns):
