@@ -75,8 +75,8 @@ const addTable = (caption, head, lines, {parent = page, numbers, id = "", wide =
 };
 
 const TITLES = {fem: "Finite-element influence functions", tangent_plane: "Tangent planes", halfspace: "Half-space",
-                hertz: "Hertz", right: "Right wheel", left: "Left wheel"}; // in that order; of wheelsets the last two
-const SHORT = {fem: "FEM", tangent_plane: "tangent plane", halfspace: "half-space", hertz: "Hertz"};
+                hertz: "Hertz", simplified: "Simplified theory", right: "Right wheel", left: "Left wheel"}; // in that order; of wheelsets the last two
+const SHORT = {fem: "FEM", tangent_plane: "tangent plane", halfspace: "half-space", hertz: "Hertz", simplified: "simplified"};
 // A model that is not here has its name in scenes, and stands behind the others.
 const titleOf = name => TITLES[name] ?? name, shortOf = name => SHORT[name] ?? name;
 const namesIn = group => [...new Set([...Object.keys(TITLES), ...Object.keys(group ?? {})])].filter(name => group?.[name]);

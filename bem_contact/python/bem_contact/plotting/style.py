@@ -35,7 +35,8 @@ class Models(dict):
 
 
 MODELS = Models({"fem": ("Finite-element influence functions", "FEM", "-"), "tangent_plane": ("Tangent planes", "tangent plane", "--"),
-                 "halfspace": ("Half-space", "half-space", ":"), "hertz": ("Hertz", "Hertz", "-.")})
+                 "halfspace": ("Half-space", "half-space", ":"), "hertz": ("Hertz", "Hertz", "-."),
+          "simplified": ("Simplified theory", "simplified", (0, (5, 1, 1, 1)))})
 BELOW_LABEL = 42  # points
 PICTURES = (".png", ".pdf", ".svg")
 ACROSS, UP = "x, rolling direction, mm", "s along the rail, mm"
