@@ -98,13 +98,9 @@ void warn_of_worn_side(const std::string& source, std::span<const Point2> points
 ProfileCurve nominal_profile(const std::string& name, ProfileKind kind, const std::string& source) {
   if (is_standard_profile(name) && kind_of_standard(name) == kind)
     return standard_profile(name);
-  std::vector<std::string> known;
-  std::ranges::copy_if(standard_profile_names(), std::back_inserter(known),
-                       [&](const std::string& its) { return kind_of_standard(its) == kind; });
   throw InputError(fmt::format("{}: nominal = \"{}\" is not known", source, name),
-                   fmt::format("it is the standard profile from which a {} was made: {}", name_of(kind),
-                               fmt::join(known, ", ")),
-                   "Use one of these, or leave out nominal and give smoothing.");
+                   fmt::format("it is the standard profile from which a {} was made", name_of(kind)),
+                   advice_on_name(name, kind) + " Or leave out nominal and give smoothing.");
 }
 
 void report_smoothing(const std::string& source, const MeasuredProfile& p) {
@@ -254,15 +250,9 @@ ProfileCurve named_profile(std::string_view name, ProfileKind kind, const std::f
   }
   const auto [file, part] = profile_file_name(name, folder);
   if (!file_exists(file)) {
-    const bool uic = name.starts_with("UIC") && (name.ends_with("60") || name.ends_with("54"));
-    const auto like =
-        uic ? std::vector{fmt::format("{}E1 (its name in EN 13674-1)", name.substr(name.size() - 2))}
-            : nearest_names(name, standard_profile_names());
     throw InputError(fmt::format("Unknown profile '{}'", name),
-                     fmt::format("it is none of the standards {} and there is no file {}",
-                                 fmt::join(standard_profile_names(), ", "), file.string()),
-                     like.empty() ? "Check the name or the path."
-                                  : fmt::format("Did you mean {}?", fmt::join(like, " or ")));
+                     fmt::format("it is no standard's name and there is no file {}", file.string()),
+                     advice_on_name(name));
   }
   return file.extension() == ".toml" ? profile_of_body(file, kind)
                                      : measured_profile(file, kind, reading, part).curve;

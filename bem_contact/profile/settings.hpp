@@ -18,9 +18,18 @@ BEM_CONTACT_TUNED(double, axis_tolerance, 1e-14);
 BEM_CONTACT_TUNED(double, end_slack, 1e-9);
 /// 1 (share of a piece's parameter). Where these Newton steps end: a few roundings.
 BEM_CONTACT_TUNED(double, parameter_tolerance, 1e-15);
-/// mm. Pieces of the polynomial zones of S1002 are at most this long, so that ten Gauss points give the arc
+/// mm. Pieces of polynomials of a standard are at most this long, so that ten Gauss points give the arc
 /// length to the last digit.
-BEM_CONTACT_TUNED(double, s1002_piece, 1.0);
+BEM_CONTACT_TUNED(double, polynomial_piece_length, 1.0);
+
+// Tables of standards.
+
+/// mm. So far the pieces of a standard may be apart where they meet, and off their own circles. EN 15302
+/// prints joints that miss each other by .0008; misprints of a digit are larger.
+BEM_CONTACT_TUNED(double, joint_tolerance, 1e-3);
+/// rad (.05 degrees). By so much two pieces of a standard may turn without being called a kink: joints that
+/// are rounded to .001 mm turn pieces of 2 mm by .03 degrees.
+BEM_CONTACT_TUNED(double, kink_tolerance, 8.727e-4);
 
 /// rad. Pieces of a contact surface that meet at less are smooth: the coordinates of a drawing are rounded.
 BEM_CONTACT_TUNED(double, tangent_slack, 0.01);

@@ -3,25 +3,37 @@
 #include "bem_contact/profile/bodies/body_file.hpp"
 #include "bem_contact/profile/profile_curve.hpp"
 #include "bem_contact/profile/profile_kind.hpp"
+#include "bem_contact/profile/standards/standard_tables.hpp"
 
-#include <span>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace bem_contact {
 
-/// 60E1, 60E2, 54E1, 46E3 (EN 13674-1, head down to the under-head fillet) and S1002
-/// (EN 13715, flange tip at y = -55). Throws InputError for any other name, with the nearest ones.
+/// The contact curve of a standard rail or wheel. Its arcs, lines and polynomials come from data/standards,
+/// whose README says which profiles there are and from where; a rail's curve ends at its under-head fillets.
+/// Names are understood as people say them: "60E1" or "uic 60", "S1002 h28 e30.5 6.7%" (a wheel of EN 13715).
+/// Throws InputError for any other name, with the nearest ones.
 ///
-/// S1002: tangent and curvature are exactly the standard's in each zone. At the zones' joints the standard's
-/// formulas jump in z, by 1.2e-4 mm at y = -35, 3.7e-5 mm at y = -26 and less than 1e-6 mm elsewhere; each
-/// zone is translated to the end of the one before it (from the tread outwards), so positions deviate from
-/// the formulas by up to 8.2e-5 mm beyond y = -26 and by nothing on the tread.
+/// Tangent and curvature are exactly the standard's in each piece. Where a standard's pieces do not quite
+/// meet, each is moved to the end of the one before it, from the piece at y = 0 outwards. S1002: its formulas
+/// jump in z, by 1.2e-4 mm at y = -35, 3.7e-5 mm at y = -26 and less than 1e-6 mm elsewhere, so positions
+/// deviate from them by up to 8.2e-5 mm beyond y = -26 and by nothing on the tread.
 ProfileCurve standard_profile(std::string_view name);
 bool is_standard_profile(std::string_view name);
-std::span<const std::string> standard_profile_names();
-/// Rail or wheel, of one of these names.
+/// Rail or wheel, of such a name.
 ProfileKind kind_of_standard(std::string_view name);
+/// The profile of this name in data/standards; of a wheel of EN 13715 the usual one; nullptr if there is
+/// none.
+const StandardEntry* find_standard(std::string_view name);
+/// The name that data/standards has, or "S1002 h28 e30.5 6.7%"; what is no standard's name is returned as it
+/// is.
+std::string standard_name(std::string_view name);
+/// What to do about an unknown name: the nearest ones (of `kind`, if it is given), and where all are listed.
+std::string advice_on_name(std::string_view name, std::optional<ProfileKind> kind = std::nullopt);
+/// All names of data/standards, a line each, with standard, other names and remark.
+std::string standards_text();
 
 /// The contact curve of a body, in its section's frame.
 ///   rail, wheel: the profile named (a standard or a file)
@@ -39,7 +51,7 @@ void require_strip_on_profile(const BodyFile::Strip& strip, const ProfileCurve& 
 std::filesystem::path profile_file_of(const BodyFile& body);
 
 /// The standard whose body carries a profile that comes from a file: 60E1 or S1002 unless said.
-/// Throws InputError for a standard of the other kind.
+/// Throws InputError for a standard of the other kind, and for a rail without a known web and foot.
 std::string graft_base(const BodyFile::Body& body);
 
 /// The part of the body that is held: [body] held, or the default of its kind.

@@ -54,6 +54,21 @@ TEST_F(ProfileCommand, LaysAStandardOnTheUnwornPartOfAFile) {
   EXPECT_THAT(other.err, HasSubstr("only a standard profile is laid on a measured one"));
 }
 
+TEST_F(ProfileCommand, ListsTheStandards) {
+  const Outcome all = run("profile --list");
+  ASSERT_EQ(all.code, 0) << all.err;
+  EXPECT_THAT(all.out, HasSubstr("60E1            rail   EN 13674-1:2017; also UIC60\n"));
+  EXPECT_EQ(std::ranges::count(all.out, '\n'), static_cast<long>(standard_entries().size()));
+  EXPECT_EQ(run("profile --list 'uic 60'").out, "60E1\n");
+  const Outcome unknown = run("profile --list UIC61");
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("Did you mean UIC60"));
+  EXPECT_THAT(run("profile 'S1002 h28 e30.5 10%'").out, HasSubstr("Profile of a wheel: S1002 h28 e30.5 10%"));
+  const Outcome none = run("profile");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.err, HasSubstr("give --list"));
+}
+
 /// Worn on top and inclined.
 TEST_F(ProfileCommand, SaysThatAWornRailIsInclined) {
   const ProfileCurve upright = standard_profile("54E1");

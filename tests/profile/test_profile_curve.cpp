@@ -157,8 +157,9 @@ TEST_P(Curves, ends_are_reached_and_not_passed) {
 }
 
 TEST_P(Curves, the_digest_tells_geometry_not_name) {
-  for (const std::string& other : standard_profile_names())
-    EXPECT_EQ(curve.digest() == standard_profile(other).digest(), other == GetParam()) << other;
+  for (const StandardEntry& other : standard_entries())
+    EXPECT_EQ(curve.digest() == standard_profile(other.name).digest(), other.name == GetParam())
+        << other.name;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Curves, testing::Values("60E1", "60E2", "54E1", "46E3", "S1002", "spline"),

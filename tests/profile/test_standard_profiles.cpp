@@ -110,8 +110,10 @@ TEST(StandardProfile, an_unknown_name_is_answered_with_the_nearest) {
     standard_profile("S1oo2");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "Unknown profile 'S1oo2' (built in are 60E1, 60E2, 54E1, 46E3, S1002) Did you mean S1002?");
+    EXPECT_STREQ(
+        error.what(),
+        "Unknown profile 'S1oo2' (it is none of the built-in ones) Did you mean S1002? (`bem_contact "
+        "profile --list` prints all)");
   }
 }
 

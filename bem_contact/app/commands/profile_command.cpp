@@ -32,7 +32,8 @@ constexpr double straight_radius = 20000.0;
 
 constexpr const char* profile_help =
     R"(The file is read as a scene would read it; warnings say what was repaired. It is a measured profile (MiniProf, Simpack,
-Vampire, or two columns y and z), the name of a standard (60E1, S1002) or a body file (.toml). The options do what keys
+Vampire, or two columns y and z), the name of a standard (60E1, UIC60, "S1002 h28 e30.5 6.7%"; --list prints all) or a
+body file (.toml). The options do what keys
 of the same name do in [rail] and [wheel] of a scene (data/scenes/README.md). Example, with a worn wheel of this
 project:
     bem_contact profile data/bodies/hollow_wheel.txt --kind wheel
@@ -45,6 +46,7 @@ struct ProfileArguments {
   std::string name, kind, unit = "found", profile_z = "as stated", csv, plot, on;
   ProfileReading reading;
   double step = profile_csv_step;
+  bool list = false;
 };
 
 template <NamedEnum E> E choice(const std::string& name) {
@@ -173,7 +175,7 @@ std::vector<report::DrawnProfile> drawn_profiles(const ProfileArguments& argumen
   }
   const std::string usual = kind == ProfileKind::wheel ? "S1002" : "60E1";
   const std::string standard = profile.worn ? arguments.reading.nominal : like ? like->name : usual;
-  if (standard != arguments.name)
+  if (standard != standard_name(arguments.name))
     out.push_back(
         drawn(standard, profile.worn || like
                             ? placed_standard(standard_profile(standard), profile, arguments.step).points
@@ -200,6 +202,16 @@ ExitCode run_on(const ProfileArguments& arguments) {
 }
 
 ExitCode run(ProfileArguments arguments) {
+  if (arguments.list) {
+    if (!arguments.name.empty()) // for scripts: which standard is it?
+      fmt::print("{}\n", standard_profile(arguments.name).name());
+    else
+      fmt::print("{}", standards_text());
+    return success;
+  }
+  if (arguments.name.empty())
+    throw InputError("No profile is named", "`bem_contact profile` describes one",
+                     "Name a file or a standard, or give --list for the names of all standards.");
   arguments.reading.unit = choice<ProfileUnit>(arguments.unit);
   arguments.reading.profile_z = choice<ProfileZ>(arguments.profile_z);
   const std::string& file = arguments.on.empty() ? arguments.name : arguments.on;
@@ -228,7 +240,10 @@ Command add_profile(CLI::App& program) {
   const auto arguments = std::make_shared<ProfileArguments>();
   CLI::App* line =
       program.add_subcommand("profile", "Describe a profile file: noise, radii, what was repaired");
-  line->add_option("file", arguments->name, "Measured profile, name of a standard, or body file")->required();
+  line->add_option("file", arguments->name, "Measured profile, name of a standard, or body file");
+  line->add_flag(
+      "--list", arguments->list,
+      "Print the names of all standards that are built in, a line each; with a name: which one it is");
   line->add_option("--kind", arguments->kind,
                    "rail or wheel; needed where neither the file nor its ending says it")
       ->check(CLI::IsMember({"rail", "wheel"}));

@@ -61,7 +61,7 @@ void add_body(Schema& s, BodyFile::Body& body) {
   SchemaTable t(s, "body");
   t.add("kind", body.kind, "Kind of body");
   t.add("profile", body.profile,
-        "Rail: 60E1, 60E2, 54E1, 46E3; wheel: S1002 (its default); or a profile file",
+        "A standard (bem_contact profile --list; a wheel's default: S1002) or a profile file",
         {.kinds = {"rail", "wheel"}});
   add_profile_reading(s, "body", body.reading, {"rail", "wheel"});
   add_flange_back(s, "body", body.reading, {"wheel"});

@@ -51,9 +51,8 @@ struct BodyFile {
 
   struct Body {
     BodyKind kind = BodyKind::rail;
-    std::string profile =
-        "60E1"; ///< rail: 60E1 (E2), 54E1, 46E3 or a file; wheel: S1002 (its default) or a file
-    ProfileReading reading = {}; ///< how a profile file is read: keys smoothing, unit, profile_z, ...
+    std::string profile = "60E1"; ///< a standard or a file; a wheel's default: S1002
+    ProfileReading reading = {};  ///< how a profile file is read: keys smoothing, unit, profile_z, ...
     std::string graft_onto =
         {}; ///< of a profile from a file: the standard whose body it gets; "": 60E1 or S1002
     /// Where the origin of that standard lies in the file's frame, mm, and how the body is turned there, from

@@ -67,9 +67,10 @@ std::vector<Candidate> candidates(const ProfileCurve& curve, ProfileKind kind, s
                                   double scatter) {
   const std::vector<Point2> points = points_along(curve);
   std::vector<Candidate> near;
-  for (const std::string& name : standard_profile_names()) {
-    if (kind_of_standard(name) != kind)
+  for (const StandardEntry& entry : standard_entries()) {
+    if (!entry.usual || entry.kind != kind)
       continue;
+    const std::string& name = entry.name;
     const ProfileCurve standard = standard_profile(name);
     const std::vector<UnwornPlace> places = unworn_places(standard, points, scatter);
     if (places.empty() || places.front().share < least_unworn_share)

@@ -1,14 +1,16 @@
 """What is FILE? Results by their attribute "format", tables by their first line, a folder by what lies in it."""
 
+import functools
 import math
 import os
+import subprocess
 from pathlib import Path
 
 import h5py
 
+from ..program import program_file
 from .refusals import InputError, refuse
 
-STANDARDS = ("60E1", "60E2", "54E1", "46E3", "S1002")
 FORMATS = ("result", "comparison", "sweep", "creep curves", "conicity", "wheelset", "table", "wear", "fatigue")
 MOST_DEFLATED = 1032  # bytes of one: deflate stores 258 bytes in 2 bits
 CHECKSUM = 4  # bytes of Fletcher's behind each chunk
@@ -107,6 +109,13 @@ def of_hdf5(file):
            "Name a file that bem_contact solve, compare, sweep, creep-curves, conicity, wheelset, table, wear or fatigue wrote.")
 
 
+@functools.cache
+def is_standard(name):
+    """Whether the program knows a standard profile of this name, as people say it."""
+    program = program_file()
+    return program is not None and subprocess.run([program, "profile", "--list", "--", name], capture_output=True).returncode == 0
+
+
 def kind_of(name):
     """The kind of a file, a folder or a standard profile."""
     path = Path(name)
@@ -115,10 +124,10 @@ def kind_of(name):
             return "wear"
         refuse(f"'{name}' cannot be drawn", "the folder has no wear.csv", "Name a folder of bem_contact wear, or a file.")
     if not path.exists():
-        if name.split("#")[0] in STANDARDS:
+        if is_standard(name):
             return "profile"
         if "#" not in name or not Path(name.rsplit("#", 1)[0]).is_file():
-            refuse(f"'{name}' cannot be drawn", "there is no such file", "Name one, or one of " + ", ".join(STANDARDS) + ".")
+            refuse(f"'{name}' cannot be drawn", "there is no such file", "Name one, or a standard that bem_contact profile --list prints.")
         return "profile"
     if h5py.is_hdf5(path):
         return of_hdf5(path)

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..program import program_file
 from . import style
-from .kinds import STANDARDS, kind_of
+from .kinds import is_standard, kind_of
 from .refusals import InputError, refuse
 
 BEHIND = ((style.BOUND, "--"), (style.RAIL, "-."), (style.WHEEL, ":"))
@@ -25,7 +25,7 @@ def read(name, options, on=None):
         program = program_file()
         if program is None:
             refuse(f"'{name}' cannot be read", "the program bem_contact was not found", "Put it on the PATH, or its folder into CONFORMAL_BIN.")
-        asked = ["--on", on, *options] if on else [] if name in STANDARDS else options
+        asked = ["--on", on, *options] if on else [] if is_standard(name) else options
         done = subprocess.run([program, "profile", name, "--csv", csv, *asked], stdout=subprocess.DEVNULL,  # its table of radii
                               stderr=subprocess.PIPE, text=True, errors="replace")
         if done.returncode != 0:
@@ -36,8 +36,8 @@ def read(name, options, on=None):
 
 def draw(files, options=()):
     options = list(options)
-    measured = files[0] if files[0] not in STANDARDS and kind_of(files[0]) == "profile" else None
-    curves = [(Path(name).name, read(name, options, measured if name in STANDARDS else None)) for name in files]
+    measured = files[0] if not is_standard(files[0]) and kind_of(files[0]) == "profile" else None
+    curves = [(Path(name).name, read(name, options, measured if is_standard(name) else None)) for name in files]
     if "--smoothing" in options:
         at = options.index("--smoothing")
         curves.append(("as measured", read(files[0], options[:at] + options[at + 2:])))
