@@ -133,7 +133,7 @@ Schema scene_schema(SceneFile& f, SceneKeysAsRead& read) {
   Schema s("scene file");
   s.kind_is("kind");
   s.add("kind", f.kind, "A wheel on a rail, or one contact problem given directly");
-  add_side(s, "rail", "The rail", f.rail, "a standard (bem_contact profile --list)", read.rail_young);
+  add_side(s, "rail", "The rail", f.rail, "a standard of bem_contact profile --list", read.rail_young);
   add_side(s, "wheel", "The wheel", f.wheel, "a standard, as S1002", read.wheel_young);
   add_position(s, f.position);
   add_track(s, f.track);
