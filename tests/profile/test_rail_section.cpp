@@ -124,8 +124,9 @@ TEST(RailHead, of_46E3_is_73_72_wide_where_its_corner_ends) {
 }
 
 TEST(RailSection, says_what_it_does_not_know) {
-  EXPECT_THAT(message_of([&] { rail_section("60E3"); }),
-              testing::HasSubstr("Unknown rail '60E3' (no table of a standard has it) Did you mean 60E"));
+  EXPECT_THAT(
+      message_of([&] { rail_section("60E3"); }),
+      testing::HasSubstr("Unknown rail '60E3' (no table of a standard has it) Did you mean 50E3 or 60E1"));
   EXPECT_THAT(message_of([&] { rail_section("60N"); }),
               testing::HasSubstr("The web and the foot of rail 60N are not known"));
 }
