@@ -1,6 +1,7 @@
 // A file with a dataset that is too short, empty or gone is refused by every reader, or does not matter to
 // it.
 #include "bem_contact/h5/handle.hpp"
+#include "bem_contact/scene/choices.hpp"
 #include "tests/app/run_program.hpp"
 
 #include <gmock/gmock.h>
@@ -163,7 +164,7 @@ TEST_F(DamagedFiles, WithNumbersThatStandForNoWord) {
   std::filesystem::copy_file(file, whole);
   const std::pair<const char*, double> wrong[] = {{"status", 5},
                                                   {"status", std::numeric_limits<double>::quiet_NaN()},
-                                                  {"model", 4},
+                                                  {"model", double(model_words.size())},
                                                   {"model", -1},
                                                   {"patches/case", 2}};
   for (const auto& [name, value] : wrong) {
