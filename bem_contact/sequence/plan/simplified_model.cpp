@@ -156,19 +156,24 @@ ContactResult empty_result(const ContactProblem& problem) {
   return result;
 }
 
-/// All patches under these normal forces and with so much creepage added.
+/// What a patch has under its normal force, whatever creepage is added.
+struct LoadedPatch {
+  PatchCreepage creepage;
+  PatchFields fields;
+};
+
+/// All patches with so much creepage added.
 ContactResult solved_with(const ContactProblem& problem, const std::vector<SimplifiedPatch>& patches,
-                          const std::vector<std::vector<int>>& elements, double creepage_x,
-                          double creepage_s) {
+                          const std::vector<std::vector<int>>& elements,
+                          const std::vector<LoadedPatch>& loaded, double creepage_x, double creepage_s) {
   ContactResult result = empty_result(problem);
   result.creepage_x = creepage_x;
   result.creepage_s = creepage_s;
   for (std::size_t k = 0; k < patches.size(); ++k) {
-    PatchCreepage creepage = creepage_of(problem, patches[k], elements[k]);
+    PatchCreepage creepage = loaded[k].creepage;
     creepage.xi += creepage_x;
     creepage.eta += creepage_s * std::cos(patches[k].delta - problem.reference_delta);
-    roll_through(problem, patches[k], elements[k], fields_of(problem, patches[k], elements[k]), creepage,
-                 result);
+    roll_through(problem, patches[k], elements[k], loaded[k].fields, creepage, result);
   }
   set_totals(problem, result);
   return result;
@@ -178,10 +183,17 @@ ContactResult solved_with(const ContactProblem& problem, const std::vector<Simpl
 ContactResult solved_for_forces(const ContactProblem& problem, const std::vector<SimplifiedPatch>& patches,
                                 const std::vector<std::vector<int>>& elements) {
   double capacity = 0;
-  for (const SimplifiedPatch& patch : patches)
-    capacity += patch.normal * problem.largest_friction();
+  std::vector<LoadedPatch> loaded;
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    capacity += patches[k].normal * problem.largest_friction();
+    loaded.push_back(
+        {creepage_of(problem, patches[k], elements[k]), fields_of(problem, patches[k], elements[k])});
+  }
+  const auto rolled = [&](double creepage_x, double creepage_s) {
+    return solved_with(problem, patches, elements, loaded, creepage_x, creepage_s);
+  };
   double x = 0, s = 0;
-  ContactResult at = solved_with(problem, patches, elements, x, s);
+  ContactResult at = rolled(x, s);
   const auto missing = [&](const ContactResult& r) {
     return std::pair(problem.force_x ? *problem.force_x - r.Fx : 0.0,
                      problem.force_s ? *problem.force_s - r.Fs : 0.0);
@@ -191,8 +203,7 @@ ContactResult solved_for_forces(const ContactProblem& problem, const std::vector
   };
   for (int step = 0; step < most_force_steps && size_of(missing(at)) > force_precision * capacity; ++step) {
     const double by = 1e-8;
-    const ContactResult along = solved_with(problem, patches, elements, x + by, s),
-                        across = solved_with(problem, patches, elements, x, s + by);
+    const ContactResult along = rolled(x + by, s), across = rolled(x, s + by);
     const double xx = problem.force_x ? (along.Fx - at.Fx) / by : 1,
                  xs = problem.force_x ? (across.Fx - at.Fx) / by : 0,
                  sx = problem.force_s ? (along.Fs - at.Fs) / by : 0,
@@ -204,7 +215,7 @@ ContactResult solved_for_forces(const ContactProblem& problem, const std::vector
     for (; share > 1e-6; share *= 0.5) {
       const double dx = problem.force_x ? share * (ss * mx - xs * ms) / determinant : 0,
                    ds = problem.force_s ? share * (xx * ms - sx * mx) / determinant : 0;
-      next = solved_with(problem, patches, elements, x + dx, s + ds);
+      next = rolled(x + dx, s + ds);
       if (size_of(missing(next)) < size_of(missing(at)))
         break;
     }
@@ -257,11 +268,13 @@ double nearest_x(const ContactProblem& problem, int row) {
 
 std::vector<SimplifiedPatch> simplified_patches(const ContactSetup& setup, const ContactProblem& problem) {
   const double modulus = reference::contact_modulus(setup.rail.material, setup.wheel.material);
+  const PairCompliance compliance = pair_compliance(setup);
+  const SurfaceLayer layer = setup.layer.on(problem.rows);
   std::vector<SimplifiedPatch> out;
-  const std::optional<ContactEstimate> estimate = estimate_contact(problem, pair_compliance(setup));
+  const std::optional<ContactEstimate> estimate = estimate_contact(problem, compliance);
   if (!estimate)
     return out;
-  for (const EstimatedArea& area : estimated_areas(*estimate, pair_compliance(setup))) {
+  for (const EstimatedArea& area : estimated_areas(*estimate, compliance)) {
     const double along = std::sqrt(area.depth / area.half),
                  across = area.overlap / (std::numbers::pi * along);
     if (!(area.normal > 0) || !(across > 0))
@@ -276,7 +289,7 @@ std::vector<SimplifiedPatch> simplified_patches(const ContactSetup& setup, const
     patch.approach = hertz.approach;
     const int row = static_cast<int>(std::lround(row_index(problem, patch.s)));
     patch.x = nearest_x(problem, row);
-    set_flexibilities(setup, setup.layer.on(problem.rows), row, patch);
+    set_flexibilities(setup, layer, row, patch);
     out.push_back(patch);
   }
   std::ranges::sort(out, std::greater(), &SimplifiedPatch::normal);
