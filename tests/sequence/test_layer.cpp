@@ -204,6 +204,37 @@ TEST(LayerScene, HistoriesTendToSteadyRolling) {
             solved_with_layer(layer_patch("", shift, grid)).result.Fx);
 }
 
+/// A table makes each row's numbers its own, which another path of the solver serves: with one value in every
+/// row it says the same, of a history too, and with influence files whose structures move.
+TEST(LayerScene, ATableOfOneValueIsThatComplianceInEveryMotion) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "layer.csv") << "s, compliance\n-3, 3e-5\n3, 3e-5\n";
+  const std::string table = "table = '" + (folder / "layer.csv").string() + "'\n",
+                    one = "compliance = 3e-5\n";
+  const std::string grid = "dx = 1\nds = 1\nmx = 14\nms = 11";
+  for (const char* motion :
+       {"xi = 1e-3\nkind = 'transient'\nsteps = 6", "xi = 2e-3\nkind = 'shift'\nsteps = 2"}) {
+    const SceneResult given = solved_with_layer(layer_patch(one, motion, grid)),
+                      by_row = solved_with_layer(layer_patch(table, motion, grid));
+    EXPECT_NEAR(by_row.result.Fx, given.result.Fx, 1e-7 * std::abs(given.result.Fx)) << motion;
+  }
+  const auto gauge_corner = [&](const std::string& layer, const std::string& structural) {
+    return solved_with_layer(parse_scene_file(
+        fmt::format("rail = {{ profile = '60E1', influence = '{0}/small_rail.h5', structural = '{1}' }}\n"
+                    "wheel = {{ profile = 'S1002', influence = '{0}/small_wheel.h5', structural = '{1}' }}\n"
+                    "position.lateral = 6.6\nload.force = 1e5\nsolver.model = 'fem'\n"
+                    "grid = {{ dx = 1.0, ds = 0.6 }}\nmotion.eta = 1e-3\nlayer.{2}",
+                    CONFORMAL_SOURCE_DIR "/data/influence", structural, layer)));
+  };
+  for (const char* structural : {"included", "removed"}) {
+    const SceneResult given = gauge_corner(one, structural), by_row = gauge_corner(table, structural);
+    for (const char* name : {"Fx", "Fs", "Mz"}) {
+      const double scale = quantity(name).value(given);
+      EXPECT_NEAR(quantity(name).value(by_row), scale, 1e-5 * std::abs(scale)) << structural << " " << name;
+    }
+  }
+}
+
 TEST(LayerScene, CheckSaysWhatTheLayerIs) {
   const auto lines = [](const std::string& layer) {
     std::string all;
