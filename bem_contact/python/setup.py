@@ -33,7 +33,7 @@ class BuildWithCMake(build_py):
             if not build:
                 build = Path(folder) / "build"
                 run("cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-Wno-dev", "-DCONFORMAL_WITH_FEM=OFF",
-                    "-DCONFORMAL_TESTS=OFF")
+                    "-DCONFORMAL_TESTS=OFF", "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=60")
                 run("cmake", "--build", build)
             run("cmake", "--install", build, "--prefix", prefix)
             installed = next(prefix.glob("lib/**/bem_contact/__init__.py")).parent

@@ -22,7 +22,7 @@ import h5py
 import numpy as np
 
 import bem_contact
-from bem_contact.plotting import command, results, shakedown, style
+from bem_contact.plotting import bodies, command, influence, meshes, results, shakedown, style
 
 TOOLS = Path(__file__).resolve().parents[2] / "tools"
 PROGRAM = os.environ["BEM_CONTACT"]
@@ -158,6 +158,74 @@ class Limits(unittest.TestCase):
         self.assertTrue((np.array(elastic) < shaken).all())
         for limits in (elastic, shaken):
             self.assertTrue((np.diff(limits) < 0).all())
+
+
+class Meshes(unittest.TestCase):
+    """Sections and influence files: what is drawn is what the file says."""
+
+    def test_quality_of_known_quadrilaterals(self):
+        points = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [2, 0.0], [1.5, np.sqrt(0.75)], [0.5, np.sqrt(0.75)]])
+        mesh = meshes.Mesh("m", points, np.array([[0, 1, 2, 3], [3, 2, 1, 0], [0, 1, 5, 6]]), {})  # a square both ways, a rhombus
+        np.testing.assert_allclose(mesh.scaled_jacobian(), (1, 1, np.sqrt(0.75)), atol=1e-12)
+        two = meshes.Mesh("m", np.array([[0, 0], [1, 0], [1, 1], [0, 1], [2, 0], [2, 1]]), np.array([[0, 1, 2, 3], [1, 4, 5, 2]]), {})
+        self.assertEqual(len(two.border()), 6)
+        self.assertEqual([meshes.quality(worst).split(":")[0] for worst in (0.5, 0.2, 0.01)], ["good", "usable", "poor"])
+
+    def test_a_mesh_is_placed_where_its_profile_lies(self):
+        arc = np.linspace(0.2, 1.9, 60)
+        profile = np.stack((30 * np.cos(arc), 22 * np.sin(arc)), axis=1)
+        strip = np.arange(59)
+        mesh = meshes.Mesh("m", profile, np.zeros((0, 4), int), {"contact": np.stack((strip, strip + 1), axis=1)})
+        moved = profile @ bodies.turned(0.03).T + (700, -3)
+        placed = bodies.place(mesh, moved, "rail", (700.5, -2.5))
+        self.assertLess(np.abs(placed.points - moved).max(), 5e-3)  # far below a line of the picture
+        with self.assertRaisesRegex(bem_contact.InputError, "mm from the profile of the rail"):
+            bodies.place(mesh, np.array([[700, 0], [700, 40.0]]), "rail", (700, 0))
+
+    def test_a_half_space_far_away_and_below_the_load(self):
+        far, own = influence.on_half_space([50, 0], 0.5, 82000, 0.28)
+        self.assertAlmostEqual(far / (0.72 * 0.25 / (2 * np.pi * 82000 * 50)), 1, delta=1e-4)  # Boussinesq's point force
+        self.assertAlmostEqual(own / (0.72 / (2 * np.pi * 82000) * 2.9732 * 0.5), 1, delta=1e-2)  # mean of midpoints; Love's square
+
+    def test_an_influence_file(self):
+        figure = bem_contact.plot(TOOLS.parent / "data" / "influence" / "small_rail.h5")
+        strip, answer = figure.axes
+        self.assertEqual(len(strip.lines[0].get_xdata()), 48)
+        middle, half_space = answer.lines[1].get_ydata(), answer.lines[3].get_ydata()
+        self.assertEqual(middle.argmax(), half_space.argmax())
+        self.assertAlmostEqual(middle.max() / half_space.max(), 1, delta=0.02)
+        self.assertIn("estimated error 0.2 %", answer.get_title(loc="left"))
+
+    @unittest.skipUnless((Path(PROGRAM).parent / "mesh_body").exists(), "needs mesh_body")
+    def test_bodies_and_their_contact(self):
+        data = TOOLS.parent / "data"
+        with tempfile.TemporaryDirectory() as folder:
+            names = {}
+            for body in ("rail_60E1_gauge_corner", "wheel_S1002_flange_root"):
+                names[body] = Path(folder) / f"{body}.msh"
+                subprocess.run([Path(PROGRAM).parent / "mesh_body", data / "bodies" / f"{body}.toml", "-o", names[body]], check=True,
+                               stderr=subprocess.DEVNULL)
+            figure = bem_contact.plot(data / "bodies" / "rail_60E1_gauge_corner.toml")
+            self.assertRegex(figure.axes[1].get_title(loc="left"), r"worst scaled Jacobian 0\.\d\d \(good: above 0.3\)")
+            self.assertEqual([text.get_text() for text in figure.axes[0].get_legend().get_texts()],
+                             ["contact strip: unit tractions act here", "held: displacement zero"])
+            result = Path(folder) / "r.h5"
+            r = bem_contact.solve(data / "scenes" / "conformal_small.toml")
+            r.save(result)
+            figure = bem_contact.plot(result, others=[*names.values()])
+            self.assertIn(f"{r.pmax:.0f} MPa", figure.get_suptitle() if hasattr(figure, "get_suptitle") else figure._suptitle.get_text())
+            section, space = figure.axes
+            faces = sum(len(collection.get_facecolor()) for collection in space.collections)
+            self.assertGreater(faces, 1500)
+            bem_contact.plot(result, Path(folder) / "r.png", others=[*names.values()])
+            with self.assertRaisesRegex(bem_contact.InputError, "from the profile of the rail"):
+                bem_contact.plot(result, others=[*reversed(names.values())])
+            with self.assertRaisesRegex(bem_contact.InputError, "a contact has two bodies"):
+                bem_contact.plot(result, others=[names["rail_60E1_gauge_corner"]])
+            broken = Path(folder) / "broken.msh"
+            broken.write_bytes(names["rail_60E1_gauge_corner"].read_bytes()[:9000])
+            with self.assertRaisesRegex(bem_contact.InputError, "no whole mesh"):
+                bem_contact.plot(broken)
 
 
 class Numbers(unittest.TestCase):

@@ -14,6 +14,7 @@ import re
 import resource
 import runpy
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -21,6 +22,7 @@ import unittest
 from pathlib import Path
 
 import h5py
+from PIL import Image
 
 import bem_contact
 import picture_faults
@@ -112,6 +114,9 @@ class Pages(unittest.TestCase):
 
     @classmethod
     def tearDownClass(cls):
+        for name in cls.pictures if "KEEP_PICTURES" in os.environ else ():
+            if name.endswith(".png"):
+                shutil.copy(name, os.environ["KEEP_PICTURES"])
         os.chdir(cls.before)
         cls.temporary.cleanup()
 
@@ -170,6 +175,18 @@ class Pages(unittest.TestCase):
                 commands, pictures = (now - then for now, then in zip(seconds(), before))
                 self.assertEqual({name: found for name, found in self.pictures.items() if found}, {})
                 print(f"{page.stem:14} {commands:5.1f} s and {pictures:.1f} s for pictures")
+        if "KEEP_PICTURES" not in os.environ:
+            self.check_the_gallery()
+
+    def check_the_gallery(self):
+        """What its pictures say is what the pages draw now."""
+        shown = re.findall(r"!\[[^\]]+\]\(\.\./pictures/gallery/(\S+)\)", (PAGES / "gallery.md").read_text())
+        self.assertGreaterEqual(len(shown), 10)
+        for name in shown:
+            stored, now = (Image.open(file).text["Description"].splitlines() for file in (ROOT / "data/pictures/gallery" / name, Path("demo", name)))
+            self.assertEqual(len(stored), len(now), name)
+            for before, after in zip(stored, now):
+                self.assertTrue(same_line(before, after), f"{name}: '{after}' is drawn, and the gallery has '{before}': tools/makers/gallery makes it again")
 
     def test_the_tutorial_up_to_influence_files_is_as_it_says(self):
         page = (ROOT / "data" / "TUTORIAL.md").read_text()
@@ -228,7 +245,7 @@ class Pages(unittest.TestCase):
 
     def test_what_cannot_be_drawn_is_refused(self):
         for line, words in (("bem_contact plot no_such.h5", "there is no such file"), ("bem_contact plot demo", "has no wear.csv"),
-                            ("bem_contact plot data/influence/small_rail.h5", "may be an influence file"),
+                            ("bem_contact plot data/influence/small_rail.h5 demo", "is drawn alone"),
                             ("bem_contact plot data/scenes/wear_in_a_curve.csv", "Draw the HDF5 file"),
                             ("bem_contact plot S1002 -o S1002.txt", "is no picture"), ("bem_contact plot no_such#2", "there is no such file")):
             done = subprocess.run([PROGRAM, *shlex.split(line)[1:]], stderr=subprocess.PIPE, text=True)

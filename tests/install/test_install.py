@@ -65,6 +65,27 @@ class Installed(unittest.TestCase):
             self.assertAlmostEqual(found[name], value, delta=delta, msg=name)
         self.assertGreater(found["table_datasets"], 10)
 
+    def test_the_lines_of_the_readme_work_when_pasted(self):
+        readme = (SOURCE / "README.md").read_text()
+        block = re.search(r"^    cmake --install build.*?(?=\n\n)", readme, re.M | re.S)[0]
+        lines = [line.strip() for line in block.splitlines()[1:]]  # it is installed
+        copy = self.work / "tests" / "install" / "consumers"
+        shutil.copytree(CLIENTS, copy)
+        (self.work / "data").symlink_to(SOURCE / "data")
+        lib = self.lib.relative_to(self.prefix)
+        script = "\n".join(["set -e", *lines]).replace("/opt/conformal/lib", f"/opt/conformal/{lib}").replace("/opt/conformal", str(self.prefix))
+        said = run("sh", "-c", script, cwd=self.work)
+        self.assertAlmostEqual(float(said.split()[0]) / HERTZ, 1, delta=1e-2)
+        for client in ("client_f90", "client_cpp"):
+            self.check(copy / client, env=os.environ | {"LD_LIBRARY_PATH": str(self.lib)})
+        project = self.work / "six_lines"
+        project.mkdir()
+        shutil.copy(CLIENTS / "client.cpp", project)
+        (project / "CMakeLists.txt").write_text(re.search(r"```cmake\n(.*?)```", readme, re.S)[1])
+        run("cmake", "-S", project, "-B", project / "build", "-Wno-dev", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        run("cmake", "--build", project / "build")
+        self.check(project / "build" / "client")
+
     def test_cmake_refuses_another_version(self):
         found = next(self.prefix.rglob("conformal_contact-config.cmake")).parent
         major, minor, patch = (int(part) for part in VERSION.split("."))

@@ -28,6 +28,12 @@ table        table -o         interpolation errors beside the tolerance; forces 
 FOLDER       wear -o          what is gone from both profiles by step, depth and area over mileage
 fatigue      fatigue -o, --csv  shakedown diagram, FI_surf, stresses below, damage
 profile      you, profile --csv  the profile and its curvature; more profiles behind the first
+BODY.toml    you              its mesh, the strip, the held part, and how good the worst element is
+mesh .msh    mesh_body -o     the same
+influence    fem_influence -o the strip, and how its surface moves, beside a half-space
+
+Behind a result or a comparison come the meshes of its rail and of its wheel: both bodies, and the patch in space:
+    bem_contact plot demo/comparison.h5 demo/rail_60E1.msh demo/wheel_S1002.msh -o demo/conformal.png
 
 Behind profiles come the options of `bem_contact profile`:
     bem_contact plot data/bodies/hollow_wheel.txt S1002 --kind wheel -o profile.png
@@ -43,7 +49,7 @@ struct PlotArguments {
 Command add_plot(CLI::App& program) {
   const auto arguments = std::make_shared<PlotArguments>();
   CLI::App* line =
-      program.add_subcommand("plot", "A picture of a result file, a folder of wear, or a profile");
+      program.add_subcommand("plot", "A picture of a result file, a folder of wear, a profile, a body, a mesh or an influence file");
   line->add_option("file", arguments->file, "What to draw; further profiles are drawn behind the first");
   line->add_option("-o,--output", arguments->output, "The picture; else FILE.png in this folder");
   line->prefix_command(); // further profiles, and options of the command profile, are Python's

@@ -4,20 +4,23 @@ from pathlib import Path
 
 import matplotlib
 
-from . import conicity, curves, fatigue, profiles, results, style, sweep, tables, wear
+from . import bodies, conicity, curves, fatigue, influence, meshes, profiles, results, style, sweep, tables, wear
 from .kinds import from_file, kind_of, require_output, to_file
 from .refusals import refuse
 
 DRAW = {"result": results.draw_result, "comparison": results.draw_comparison, "wheelset": results.draw_wheelset, "sweep": sweep.draw,
-        "creep curves": curves.draw, "conicity": conicity.draw, "fatigue": fatigue.draw, "wear": wear.draw, "table": tables.draw}
+        "creep curves": curves.draw, "conicity": conicity.draw, "fatigue": fatigue.draw, "wear": wear.draw, "table": tables.draw,
+        "mesh": meshes.draw, "influence file": influence.draw}
 PROFILES = ("profile", "profile table")
+WITH_BODIES = ("result", "comparison")  # meshes of both bodies may follow
 
 
 def draw(files, picture, options):
     """The figure; of a film nothing. `picture`: where it is written; None: nowhere."""
     first, *others = files
     kind = from_file(first, lambda: kind_of(first))
-    if kind not in PROFILES and (others or options):
+    with_bodies = kind in WITH_BODIES and others and not options
+    if kind not in PROFILES and not with_bodies and (others or options):
         refuse(f"'{first}' is drawn alone", f"{(options + others)[0]} is more", "Leave it out.")
     film = picture is not None and require_picture(Path(picture), kind, files)
     with matplotlib.rc_context():  # a notebook keeps its own style
@@ -25,7 +28,8 @@ def draw(files, picture, options):
         if film:
             from_file(first, lambda: to_file(picture, lambda: wear.animate(files, Path(picture))))
             return None
-        figure = from_file(first, lambda: profiles.draw(files, options) if kind in PROFILES else DRAW[kind](files))
+        figure = from_file(first, lambda: profiles.draw(files, options) if kind in PROFILES else
+                           bodies.draw(files) if with_bodies else DRAW[kind](files))
         if picture is not None:
             to_file(picture, lambda: style.save(figure, picture))
         return figure

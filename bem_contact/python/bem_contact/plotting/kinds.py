@@ -98,13 +98,14 @@ def require_own_numbers(group, seen=frozenset()):
 def of_hdf5(file):
     with h5py.File(file) as opened:
         require_own_numbers(opened)
+        if {"stations", "kernel"} <= set(opened) or {"stations", "table"} <= set(opened):
+            return "influence file"
         name = text(opened.attrs.get("format", "")).removeprefix("bem_contact ")
     for kind in FORMATS:
         if name.startswith(kind):
             return kind
     if not name:
-        refuse(f"'{file}' cannot be drawn", "it is no file of results; it may be an influence file",
-               "bem_contact info says what is in it.")
+        refuse(f"'{file}' cannot be drawn", "it is neither a file of results nor an influence file", "bem_contact info says what is in it.")
     refuse(f"'{file}' cannot be drawn", f"its format is '{name}'",
            "Name a file that bem_contact solve, compare, sweep, creep-curves, conicity, wheelset, table, wear or fatigue wrote.")
 
@@ -131,6 +132,8 @@ def kind_of(name):
         return "profile"
     if h5py.is_hdf5(path):
         return of_hdf5(path)
+    if path.suffix in (".msh", ".toml"):
+        return "mesh"
     with open(path, encoding="utf-8", errors="replace") as opened:
         head = next((line for line in opened if not line.startswith("#")), "")
     kind = next((kind for word, kind in HEADS.items() if word in head), "profile")

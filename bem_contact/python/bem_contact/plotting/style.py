@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 from matplotlib.ticker import MaxNLocator
 from matplotlib.transforms import ScaledTranslation
 
@@ -134,14 +135,21 @@ def legend_beside(axis, below=False, columns=4, **more):
     axis.legend(ncol=columns, borderaxespad=0.2, columnspacing=1.4, **place, **more).set_in_layout(columns == 1)
 
 
+def drawn(figure):
+    """What is written in a picture, but for numbers at ticks: titles, labels, legends, remarks."""
+    ticks = {text for axis in figure.axes for one in (axis.xaxis, axis.yaxis) for text in one.get_ticklabels(which="both")}
+    return [text.get_text() for text in figure.findobj(Text) if text.get_visible() and text.get_text().strip() and text not in ticks]
+
+
 def save(figure, output):
-    """With all legends, which the layout leaves out so that they do not push panels apart."""
+    """With all legends, which the layout leaves out so that they do not push panels apart. A .png says in its description what is drawn."""
     figure.draw_without_rendering()
     figure.set_layout_engine("none")
     for axis in figure.axes:
         if axis.get_legend():
             axis.get_legend().set_in_layout(True)
-    figure.savefig(output, dpi=110, bbox_inches="tight")
+    metadata = {"Description": "\n".join(drawn(figure))} if str(output).lower().endswith(".png") else None
+    figure.savefig(output, dpi=110, bbox_inches="tight", metadata=metadata)
 
 
 def whole_numbers(axis):
