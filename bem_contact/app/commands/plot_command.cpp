@@ -48,8 +48,8 @@ struct PlotArguments {
 
 Command add_plot(CLI::App& program) {
   const auto arguments = std::make_shared<PlotArguments>();
-  CLI::App* line =
-      program.add_subcommand("plot", "A picture of a result file, a folder of wear, a profile, a body, a mesh or an influence file");
+  CLI::App* line = program.add_subcommand(
+      "plot", "A picture of a result file, a folder of wear, a profile, a body, a mesh or an influence file");
   line->add_option("file", arguments->file, "What to draw; further profiles are drawn behind the first");
   line->add_option("-o,--output", arguments->output, "The picture; else FILE.png in this folder");
   line->prefix_command(); // further profiles, and options of the command profile, are Python's
