@@ -9,6 +9,7 @@ Commands that the page says to take seconds are left out, unless TUTORIAL_LONG i
 import contextlib
 import csv
 import io
+import json
 import os
 import re
 import resource
@@ -187,6 +188,21 @@ class Pages(unittest.TestCase):
             self.assertEqual(len(stored), len(now), name)
             for before, after in zip(stored, now):
                 self.assertTrue(same_line(before, after), f"{name}: '{after}' is drawn, and the gallery has '{before}': tools/makers/gallery makes it again")
+
+    def test_the_notebook_runs_and_prints_what_it_says(self):
+        cells = json.loads((PAGES / "first_steps.ipynb").read_text())["cells"]
+        names, printed, before = {}, io.StringIO(), os.getcwd()
+        os.chdir(PAGES)
+        try:
+            for cell in cells:
+                if cell["cell_type"] == "code":
+                    self.assertEqual(cell["outputs"], [], "a stored output grows old")
+                    with contextlib.redirect_stdout(printed):
+                        exec("".join(cell["source"]), names)
+        finally:
+            os.chdir(before)
+        for words in ("1237.6 MPa, certified: True", "halfspace", "motion.friction"):
+            self.assertIn(words, printed.getvalue())
 
     def test_the_tutorial_up_to_influence_files_is_as_it_says(self):
         page = (ROOT / "data" / "TUTORIAL.md").read_text()
