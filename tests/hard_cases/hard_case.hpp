@@ -7,7 +7,7 @@
 #include <string>
 
 /// What every case of the suite shares. Each case ends certified below 1e-6, refused, or not converged with a
-/// reason. Each prints one line of the page's table; remake_page makes the page.
+/// reason. Each prints one line of a table.
 namespace bem_contact::hard {
 
 /// Elements in contact.

@@ -264,7 +264,7 @@ def not_validated(page):
         lateral displacement; `solver.contact_motion = "placed"` leaves 0.2 % of Fy at most and 0.3 %
         of the approach. With rail foot and wheel bore held 6 % in Fy unless
         the bodies are placed by their structural motion, as they are by default (section 4).""",
-               """Small errors of the input may be enlarged: [tests/STABILITY.md](STABILITY.md) tables by how much, and the condition
+               """Small errors of the input may be enlarged: `tools/stability` tables by how much, and the condition
         numbers of the influence matrices.""",
                "Influence files: each states its own error, 1 to 5 times the true one on 84 files (fem_influence/ERRORS.md).",
                """Stresses below a curved surface use half-space formulas from the tractions found; a warning says where the
