@@ -11,9 +11,9 @@
 
 namespace bem_contact::strict_h5 {
 
-static_assert(std::is_same_v<Extent, hsize_t>);
-
 namespace {
+
+using Extents = std::vector<hsize_t>; ///< a Shape as HDF5 takes it
 
 constexpr hsize_t rows_of_a_cache_line = 8; ///< of doubles
 /// Largest extent of a table that is read: a damaged file asks for no more memory than this.
@@ -29,14 +29,14 @@ OpenTable open_table(hid_t at, const char* name, Shape shape) {
   Handle set(open_dataset(at, name), std::string("the table ") + name);
   const Handle space(H5Dget_space(set), H5Sclose, name);
   const Handle type(H5Dget_type(set), H5Tclose, name);
-  Shape found(shape.size());
+  Extents found(shape.size());
   const bool fits = H5Tget_class(type) == H5T_FLOAT &&
                     H5Sget_simple_extent_ndims(space) == static_cast<int>(shape.size()) &&
                     H5Sget_simple_extent_dims(space, found.data(), nullptr) >= 0;
   for (std::size_t i = 0; fits && i < shape.size(); ++i)
     if (shape[i] == 0 && found[i] > 0 && found[i] < most_extent)
       shape[i] = found[i];
-  if (!fits || found != shape)
+  if (!fits || !std::ranges::equal(found, shape))
     throw InputError("The influence file's table '" + std::string(name) + "' has the wrong shape or type",
                      "it does not fit the file's stations and wavenumbers",
                      "Compute the influence file again.");
@@ -118,12 +118,12 @@ void read(hid_t at, const char* name, std::string& value) {
 
 void write(hid_t at, const Table& table) {
   const char* name = table.name;
-  const Handle space(H5Screate_simple(static_cast<int>(table.shape.size()), table.shape.data(), nullptr),
-                     H5Sclose, name);
+  const Extents shape(table.shape.begin(), table.shape.end());
+  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, name);
   const Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
   check(H5Pset_obj_track_times(list, false) >= 0, name); // the same numbers give the same bytes
   if (table.checked) {
-    Shape chunk = table.shape;
+    Extents chunk = shape;
     chunk.front() = 1;
     check(H5Pset_chunk(list, static_cast<int>(chunk.size()), chunk.data()) >= 0, name);
     check(H5Pset_fletcher32(list) >= 0, name);

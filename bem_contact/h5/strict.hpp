@@ -2,6 +2,7 @@
 
 #include "bem_contact/h5/handle.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -24,7 +25,7 @@ Handle open_file(const std::filesystem::path& file);
 /// Whether there is an entry of that name.
 bool has(H5Id at, const char* name);
 
-using Extent = unsigned long long; ///< HDF5's hsize_t
+using Extent = std::uint64_t; ///< HDF5's hsize_t is another type of this size in each version of HDF5
 using Shape = std::vector<Extent>;
 
 void check(bool success, std::string_view what);
