@@ -20,7 +20,7 @@ You should see the patch with its pressure, a cut through it, and the numbers: t
 FILE         written by       the picture shows
 result       solve -o         patch with adhesion, slip and traction; a cut with the bound of friction; section or stresses
 comparison   compare -o       a patch for each model on one scale, section, pressures and their differences, numbers
-sweep        sweep -o         patches over y; pressure, area and forces over the key that varies
+sweep        sweep -o         patches over y; pressure, area, forces, T-gamma over the key that varies
 creep curves creep-curves -o  forces over creepages, the bound of friction, Kalker's slopes
 conicity     conicity -o      rolling radius difference, contact points, equivalent conicity
 wheelset     wheelset -o      both wheels

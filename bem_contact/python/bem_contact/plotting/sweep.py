@@ -106,30 +106,33 @@ def draw(files):
             over, unit = np.arange(len(certified)), ""
         name = style.titled(lead, unit) if lead and not keys[lead] else "case"
         groups = groups_of(file, keys, lead)
-        figure, axes = style.panels(2, 2, (12.5, 8.8))
+        with_slip = any(name in file and np.isfinite(file[name][:][certified]).any() for name in ("T_gamma", "right_T_gamma"))
+        figure, axes = style.panels(2, 3 if with_slip else 2, (17 if with_slip else 12.5, 8.8))
         left_out = "" if certified.all() else f"; {(~certified).sum()} without a certificate are left out"
         if "right_share" in file:
             moved = "roll" if lead == "position.lateral" else "lateral"
-            for axis, quantity, title in zip(axes.flat, (moved, "share", "Fy", "pmax"), (
-                    style.words(moved).split(",")[0].capitalize(), "Share of the vertical force", "Lateral forces on the rails, to the right",
-                    "Largest pressure")):
+            shown = [(moved, style.words(moved).split(",")[0].capitalize()), ("share", "Share of the vertical force"),
+                     ("Fy", "Lateral forces on the rails, to the right"), ("pmax", "Largest pressure"), ("T_gamma", "Work of friction: wear"),
+                     ("Y_over_Q", "Y/Q")]
+            for axis, (quantity, title) in zip(axes.flat, shown):
                 draw_wheels(axis, file, quantity, over, groups, certified, lead is not None)
                 axis.set(title=title, xlabel=name)
             figure.suptitle(f"Sweep: {len(certified)} wheelsets, right wheels solid, left ones dashed{left_out}", fontsize=11)
             return figure
+        first, *others = axes.flat
         if "patches" in file and np.isfinite(file["patches/y"][:]).any():
-            draw_patches(figure, axes[0, 0], file["patches"], over)
-            axes[0, 0].set_ylabel(name)
+            draw_patches(figure, first, file["patches"], over)
+            first.set_ylabel(name)
         else:
-            draw_totals(axes[0, 0], file, ["approach"], over, groups, certified, lead is not None)
-            axes[0, 0].set(title="Approach", xlabel=name)
-        for axis, names, title in ((axes[0, 1], ["pmax"], "Largest pressure"), (axes[1, 0], ["area"], "Area in contact"),
-                                   (axes[1, 1], ["Fx", "Fy"], "Forces on the rail")):
+            draw_totals(first, file, ["approach"], over, groups, certified, lead is not None)
+            first.set(title="Approach", xlabel=name)
+        for axis, (names, title) in zip(others, ((["pmax"], "Largest pressure"), (["area"], "Area in contact"), (["Fx", "Fy"], "Forces on the rail"),
+                                                 (["T_gamma"], "Work of friction: wear"), (["Mz"], "Moment about the vertical"))):
             draw_totals(axis, file, names, over, groups, certified, lead is not None)
             axis.set(title=title, xlabel=name)
         if not lead or keys[lead]:
-            style.whole_numbers(axes[0, 0].yaxis)
-            for axis in (axes[0, 1], *axes[1]):
+            style.whole_numbers(first.yaxis)
+            for axis in others:
                 style.whole_numbers(axis.xaxis)
         figure.suptitle(f"Sweep: {len(certified)} cases, bars: errors by the size of the elements{left_out}", fontsize=11)
         return figure
