@@ -105,13 +105,34 @@ void check_writing(bool good, const std::filesystem::path& file, const std::stri
 
 namespace {
 
-void write_texts(hid_t root, hid_t links, const H5Table& table, const std::filesystem::path& file) {
+/// Files of the same numbers are the same bytes: no object has the time of its making.
+H5Handle without_times(hid_t kind) {
+  H5Handle list(H5Pcreate(kind), H5Pclose);
+  H5Pset_obj_track_times(list, false);
+  return list;
+}
+
+/// Makes the groups of a path that ends with a name.
+bool make_groups(hid_t root, const std::string& path) {
+  for (std::size_t slash = path.find('/'); slash != std::string::npos; slash = path.find('/', slash + 1)) {
+    const std::string group = path.substr(0, slash);
+    if (H5Lexists(root, group.c_str(), H5P_DEFAULT) > 0)
+      continue;
+    const H5Handle list = without_times(H5P_GROUP_CREATE);
+    if (H5Handle(H5Gcreate2(root, group.c_str(), H5P_DEFAULT, list, H5P_DEFAULT), H5Gclose) < 0)
+      return false;
+  }
+  return true;
+}
+
+void write_texts(hid_t root, const H5Table& table, const std::filesystem::path& file) {
   for (const auto& [name, data] : table.texts) {
     const H5Handle type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
     check_writing(H5Tset_size(type, data.text.size() + 1) >= 0 && H5Tset_cset(type, H5T_CSET_UTF8) >= 0, file,
                   "text " + name);
-    const H5Handle set(H5Dcreate2(root, name.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT),
-                       H5Dclose);
+    const H5Handle list = without_times(H5P_DATASET_CREATE);
+    check_writing(make_groups(root, name), file, "the group of " + name);
+    const H5Handle set(H5Dcreate2(root, name.c_str(), type, space, H5P_DEFAULT, list, H5P_DEFAULT), H5Dclose);
     check_writing(set >= 0 && H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.text.c_str()) >= 0,
                   file, "text " + name);
     check_writing(write_attribute(set, "description", data.description) &&
@@ -128,35 +149,35 @@ bool ask_for_checksum(hid_t list, const std::vector<hsize_t>& shape) {
          H5Pset_fletcher32(list) >= 0;
 }
 
-void write_numbers(hid_t root, hid_t links, const H5Table& table, const std::filesystem::path& file) {
+void write_numbers(hid_t root, const H5Table& table, const std::filesystem::path& file) {
   for (const auto& [name, data] : table.datasets) {
     const std::vector<hsize_t> shape(data.shape.begin(), data.shape.end());
     const auto size =
         std::accumulate(data.shape.begin(), data.shape.end(), std::size_t{1}, std::multiplies<>());
     check_writing(size == data.values.size(), file, "the shape of " + name + " does not fit its values");
-    const H5Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    const H5Handle list = without_times(H5P_DATASET_CREATE);
+    check_writing(make_groups(root, name), file, "the group of " + name);
     check_writing(!table.checksums || data.values.empty() || ask_for_checksum(list, shape), file,
                   "the checksum of " + name);
     const H5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
     const H5Handle set(H5Dcreate2(root, name.c_str(), data.whole ? H5T_STD_I64LE : H5T_IEEE_F64LE, space,
-                                  links, list, H5P_DEFAULT),
+                                  H5P_DEFAULT, list, H5P_DEFAULT),
                        H5Dclose);
     check_writing(set >= 0, file, "dataset " + name);
     check_writing(data.values.empty() || H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
                                                   data.values.data()) >= 0,
                   file, "dataset " + name);
-    check_writing(write_attribute(set, "unit", data.unit), file, "attribute unit");
-    check_writing(write_attribute(set, "description", data.description), file, "attribute description");
+    check_writing(write_words(root, name, data.unit, data.description), file,
+                  "unit and description of " + name);
   }
 }
 
-void write_attributes(hid_t root, hid_t links, const H5Table& table, const std::filesystem::path& file) {
+void write_attributes(hid_t root, const H5Table& table, const std::filesystem::path& file) {
   for (const auto& [path, value] : table.attributes) {
     const auto slash = path.rfind('/');
     const std::string group = slash == std::string::npos ? "/" : path.substr(0, slash);
     const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
-    if (group != "/" && H5Lexists(root, group.c_str(), H5P_DEFAULT) <= 0)
-      H5Handle(H5Gcreate2(root, group.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+    check_writing(make_groups(root, path), file, "group " + group);
     const H5Handle object(H5Oopen(root, group.c_str(), H5P_DEFAULT), H5Oclose);
     check_writing(object >= 0, file, "group " + group);
     const auto write = [&](const auto& text_or_number) {
@@ -169,11 +190,62 @@ void write_attributes(hid_t root, hid_t links, const H5Table& table, const std::
 } // namespace
 
 void write_entries(hid_t root, const H5Table& table, const std::filesystem::path& file) {
-  const H5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  H5Pset_create_intermediate_group(links, 1);
-  write_texts(root, links, table, file);
-  write_numbers(root, links, table, file);
-  write_attributes(root, links, table, file);
+  write_texts(root, table, file);
+  write_numbers(root, table, file);
+  write_attributes(root, table, file);
+}
+
+bool write_empty_line(hid_t root, const std::string& name, std::size_t size) {
+  const hsize_t extent = size;
+  const H5Handle list = without_times(H5P_DATASET_CREATE);
+  H5Pset_alloc_time(list, H5D_ALLOC_TIME_EARLY);
+  H5Pset_fill_time(list, H5D_FILL_TIME_NEVER);
+  const H5Handle space(H5Screate_simple(1, &extent, nullptr), H5Sclose);
+  return make_groups(root, name) &&
+         H5Handle(H5Dcreate2(root, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, list, H5P_DEFAULT),
+                  H5Dclose) >= 0;
+}
+
+bool write_words(hid_t root, const std::string& name, const std::string& unit,
+                 const std::string& description) {
+  const H5Handle set(H5Dopen2(root, name.c_str(), H5P_DEFAULT), H5Dclose);
+  return set >= 0 && write_attribute(set, "unit", unit) && write_attribute(set, "description", description);
+}
+
+namespace {
+
+/// Calls `transfer` with the dataset's numbers first .. first + count - 1 as spaces of memory and file.
+template <class Transfer> bool for_rows(hid_t set, std::size_t first, std::size_t count, Transfer transfer) {
+  const H5Handle file(H5Dget_space(set), H5Sclose);
+  const hsize_t begin = first, length = count;
+  const H5Handle memory(H5Screate_simple(1, &length, nullptr), H5Sclose);
+  return H5Sselect_hyperslab(file, H5S_SELECT_SET, &begin, nullptr, &length, nullptr) >= 0 &&
+         H5Sselect_valid(file) > 0 && transfer(memory, file) >= 0;
+}
+
+} // namespace
+
+bool write_rows(hid_t root, const std::string& name, std::size_t first, std::span<const double> values) {
+  const H5Handle set(H5Dopen2(root, name.c_str(), H5P_DEFAULT), H5Dclose);
+  return values.empty() ||
+         (set >= 0 && for_rows(set, first, values.size(), [&](hid_t memory, hid_t file) {
+            return H5Dwrite(set, H5T_NATIVE_DOUBLE, memory, file, H5P_DEFAULT, values.data());
+          }));
+}
+
+std::optional<std::size_t> numbers_in(hid_t root, const std::string& name) {
+  const H5Handle set = open_dataset(root, name);
+  const H5Handle space(set >= 0 ? H5Dget_space(set) : -1, H5Sclose);
+  if (space < 0 || H5Sget_simple_extent_ndims(space) > 1)
+    return std::nullopt;
+  return static_cast<std::size_t>(H5Sget_simple_extent_npoints(space));
+}
+
+bool read_rows(hid_t root, const std::string& name, std::size_t first, std::span<double> values) {
+  const H5Handle set = open_dataset(root, name);
+  return set >= 0 && (values.empty() || for_rows(set, first, values.size(), [&](hid_t memory, hid_t file) {
+                        return H5Dread(set, H5T_NATIVE_DOUBLE, memory, file, H5P_DEFAULT, values.data());
+                      }));
 }
 
 bool read_dataset(hid_t root, const std::string& path, H5Table& table) {

@@ -8,6 +8,7 @@
 #include "bem_contact/h5/image.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fcntl.h>
 #include <functional>
 #include <hdf5.h>
@@ -24,14 +25,25 @@ namespace {
 /// and indices do take.
 constexpr std::size_t object_bytes = 4096, table_bytes = 1 << 18;
 
-H5Table read_paths(const std::filesystem::path& file, const std::function<bool(const std::string&)>& wanted) {
-  const QuietHdf5 silence;
+[[noreturn]] void refuse_reading(const std::filesystem::path& file) {
+  throw InputError("The file '" + file.string() + "' cannot be read", "it is not HDF5, or truncated",
+                   "Name a result or an influence file, or make it again.");
+}
+
+H5Handle opened(const std::filesystem::path& file) {
   if (!is_regular(file))
     throw InputError("The file '" + file.string() + "' cannot be read",
                      file_exists(file) ? "it is a folder or a device" : "there is no such file",
                      file_exists(file) ? "Name a file, such as wear.h5 in the folder of bem_contact wear."
                                        : "Check the path.");
-  const H5Handle root(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  H5Handle root(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (root < 0)
+    refuse_reading(file);
+  return root;
+}
+
+/// What lies below `root`. False where HDF5 fails.
+bool read_below(hid_t root, const std::function<bool(const std::string&)>& wanted, H5Table& table) {
   std::map<std::string, H5O_type_t> found;
   const auto add = [](hid_t, const char* name, const auto* info, void* data) -> herr_t {
     static_cast<std::map<std::string, H5O_type_t>*>(data)->emplace(name, info->type);
@@ -39,8 +51,7 @@ H5Table read_paths(const std::filesystem::path& file, const std::function<bool(c
   };
   // In the order of the file: to sort, HDF5 1.10.8 makes a list, and frees it unwritten where a link is
   // damaged.
-  bool whole = root >= 0 && H5Ovisit2(root, H5_INDEX_NAME, H5_ITER_NATIVE, add, &found, H5O_INFO_BASIC) >= 0;
-  H5Table table;
+  bool whole = H5Ovisit2(root, H5_INDEX_NAME, H5_ITER_NATIVE, add, &found, H5O_INFO_BASIC) >= 0;
   table.checksums = true;
   for (const auto& [path, kind] : found)
     if (kind == H5O_TYPE_GROUP)
@@ -48,10 +59,29 @@ H5Table read_paths(const std::filesystem::path& file, const std::function<bool(c
     else if (kind == H5O_TYPE_DATASET &&
              wanted(path)) // to open what is not wanted took as long as to visit it
       whole = whole && read_dataset(root, path, table);
-  if (!whole)
-    throw InputError("The file '" + file.string() + "' cannot be read", "it is not HDF5, or truncated",
-                     "Name a result or an influence file, or make it again.");
+  return whole;
+}
+
+H5Table read_paths(const std::filesystem::path& file, const std::function<bool(const std::string&)>& wanted) {
+  const QuietHdf5 silence;
+  const H5Handle root = opened(file);
+  H5Table table;
+  if (!read_below(root, wanted, table))
+    refuse_reading(file);
   return table;
+}
+
+[[noreturn]] void refuse_as_damaged(const std::filesystem::path& file, const std::string& why) {
+  throw InputError("The file '" + file.string() + "' is damaged", why,
+                   "Copy it again from where it was whole, or make it again.");
+}
+
+/// `count`: nothing for one or more.
+void require_size(const std::filesystem::path& file, const std::string& name, std::size_t size,
+                  std::optional<std::size_t> count) {
+  if (size != count.value_or(std::max<std::size_t>(size, 1)))
+    refuse_as_damaged(file, "its dataset '" + name + "' has " + std::to_string(size) + " numbers, not " +
+                                (count ? std::to_string(*count) : "one or more"));
 }
 
 } // namespace
@@ -74,16 +104,9 @@ std::string text_attribute(const H5Table& table, const std::string& name) {
 const H5Dataset& dataset_of(const H5Table& table, const std::string& name, const std::filesystem::path& file,
                             std::optional<std::size_t> count) {
   const auto found = table.datasets.find(name);
-  const auto refuse = [&](const std::string& why) {
-    throw InputError("The file '" + file.string() + "' is damaged", why,
-                     "Copy it again from where it was whole, or make it again.");
-  };
   if (found == table.datasets.end())
-    refuse("it has no dataset '" + name + "'");
-  const std::size_t size = found->second.values.size();
-  if (size != count.value_or(std::max<std::size_t>(size, 1)))
-    refuse("its dataset '" + name + "' has " + std::to_string(size) + " numbers, not " +
-           (count ? std::to_string(*count) : "one or more"));
+    refuse_as_damaged(file, "it has no dataset '" + name + "'");
+  require_size(file, name, found->second.values.size(), count);
   return found->second;
 }
 
@@ -159,8 +182,23 @@ void H5Writer::add(const H5Table& table) {
       values += text->size() / sizeof(double) + 1;
   for (const auto& [name, data] : table.texts)
     values += data.text.size() / sizeof(double) + 1;
+  if (table.checksums) // as in an image: a chunk in the older layout takes kilobytes besides
+    H5Fset_libver_bounds(impl_->root, H5F_LIBVER_V110, H5F_LIBVER_V110);
   impl_->reserve(values, 3 * (table.datasets.size() + table.texts.size()) + table.attributes.size());
   write_entries(impl_->root, table, impl_->whole.file());
+}
+
+void H5Writer::add_line(const std::string& name, std::size_t size, const std::string& unit,
+                        const std::string& description) {
+  const QuietHdf5 silence;
+  impl_->reserve(size, 1);
+  impl_->check(write_empty_line(impl_->root, name, size) && write_words(impl_->root, name, unit, description),
+               "dataset " + name);
+}
+
+void H5Writer::put(const std::string& name, std::size_t first, std::span<const double> values) {
+  const QuietHdf5 silence;
+  impl_->check(write_rows(impl_->root, name, first, values), "dataset " + name);
 }
 
 void H5Writer::finish() {
@@ -168,6 +206,98 @@ void H5Writer::finish() {
   impl_->check(H5Fflush(impl_->root, H5F_SCOPE_GLOBAL) >= 0, "its contents cannot be flushed");
   H5Fclose(std::exchange(impl_->root, -1));
   impl_->whole.commit();
+}
+
+H5Reader::H5Reader(std::filesystem::path file)
+    : file_(std::move(file)), root_([this] {
+        const QuietHdf5 silence;
+        return opened(file_);
+      }()) {}
+
+void H5Reader::refuse() const {
+  refuse_reading(file_);
+}
+
+bool H5Reader::has(const std::string& path) const {
+  for (std::size_t slash = path.find('/');; slash = path.find('/', slash + 1)) {
+    H5L_info_t link; // another kind of link may lead to another file, and that may be a pipe
+    if (H5Lget_info(root_, path.substr(0, slash).c_str(), &link, H5P_DEFAULT) < 0 ||
+        link.type != H5L_TYPE_HARD)
+      return false;
+    if (slash == std::string::npos)
+      return true;
+  }
+}
+
+H5Table H5Reader::group(const std::string& path) const {
+  const QuietHdf5 silence;
+  H5Table table;
+  if (!has(path))
+    return table;
+  const H5Handle group(H5Gopen2(root_, path.c_str(), H5P_DEFAULT), H5Gclose);
+  if (group < 0 || !read_below(
+                       group, [](const std::string&) { return true; }, table))
+    refuse();
+  return table;
+}
+
+H5Table H5Reader::attributes() const {
+  const QuietHdf5 silence;
+  H5Table table;
+  if (!read_attributes(root_, ".", table))
+    refuse();
+  return table;
+}
+
+std::set<std::string> H5Reader::members(const std::string& path) const {
+  const QuietHdf5 silence;
+  std::set<std::string> names;
+  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* data) -> herr_t {
+    static_cast<std::set<std::string>*>(data)->emplace(name);
+    return 0;
+  };
+  if (has(path) && H5Literate_by_name(root_, path.c_str(), H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, add,
+                                      &names, H5P_DEFAULT) < 0)
+    refuse();
+  return names;
+}
+
+std::string H5Reader::text(const std::string& path, const std::string& name) const {
+  const QuietHdf5 silence;
+  H5Table table;
+  if (has(path) && !read_attributes(root_, path, table))
+    refuse();
+  return text_attribute(table, path + "/" + name);
+}
+
+double H5Reader::number(const std::string& name) const {
+  const QuietHdf5 silence;
+  H5Table table;
+  if (has(name) && !read_dataset(root_, name, table))
+    refuse();
+  const auto found = table.datasets.find(name);
+  return found != table.datasets.end() && found->second.values.size() == 1 ? found->second.values.front()
+                                                                           : std::nan("");
+}
+
+std::size_t H5Reader::size(const std::string& name) const {
+  const QuietHdf5 silence;
+  return has(name) ? numbers_in(root_, name).value_or(0) : 0;
+}
+
+void H5Reader::require(const std::string& name, std::size_t count) const {
+  const QuietHdf5 silence;
+  if (!has(name))
+    refuse_as_damaged(file_, "it has no dataset '" + name + "'");
+  require_size(file_, name, size(name), count);
+}
+
+std::vector<double> H5Reader::line(const std::string& name, std::size_t first, std::size_t count) const {
+  const QuietHdf5 silence;
+  std::vector<double> values(count);
+  if (!read_rows(root_, name, first, values))
+    refuse_as_damaged(file_, "its dataset '" + name + "' cannot be read");
+  return values;
 }
 
 } // namespace bem_contact

@@ -1,12 +1,15 @@
 #pragma once
 
 #include "bem_contact/base/conventions.hpp"
+#include "bem_contact/h5/handle.hpp"
 
 #include <cstddef>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -99,11 +102,46 @@ public:
 
   /// Names must be new to the file, but for groups.
   void add(const H5Table& table);
+  /// Makes a dataset of `size` numbers, which put() writes run by run; until then they are what they are.
+  void add_line(const std::string& name, std::size_t size, const std::string& unit,
+                const std::string& description);
+  void put(const std::string& name, std::size_t first, std::span<const double> values);
   void finish();
 
 private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
+};
+
+/// A file that is read part by part, for more than memory holds. All functions throw what read_h5() does.
+class H5Reader {
+public:
+  explicit H5Reader(std::filesystem::path file);
+
+  const std::filesystem::path& file() const { return file_; }
+  /// What lies in a group, with the names that it has there; all groups below it, too. Empty: no such group.
+  H5Table group(const std::string& path) const;
+  /// The attributes of the file itself.
+  H5Table attributes() const;
+  /// The names of a group's members.
+  std::set<std::string> members(const std::string& path) const;
+  /// The text that group() has as an attribute of that name; "" where there is none.
+  std::string text(const std::string& path, const std::string& name) const;
+  /// A dataset of one number; nan where there is none.
+  double number(const std::string& name) const;
+  /// How many numbers a dataset has; 0 where there is none.
+  std::size_t size(const std::string& name) const;
+  /// Throws InputError, as dataset_of() does, unless the dataset is a line of `count` numbers.
+  void require(const std::string& name, std::size_t count) const;
+  /// `count` numbers of a line, from the one with number `first` on.
+  std::vector<double> line(const std::string& name, std::size_t first, std::size_t count) const;
+
+private:
+  bool has(const std::string& path) const;
+  [[noreturn]] void refuse() const;
+
+  std::filesystem::path file_;
+  H5Handle root_;
 };
 
 } // namespace bem_contact

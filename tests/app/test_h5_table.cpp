@@ -3,14 +3,20 @@
 #include "tests/base/message.hpp"
 #include "tests/base/temporary_folder.hpp"
 
+#include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <gmock/gmock.h>
+#include <hdf5.h>
+#include <set>
 #include <string>
 #include <sys/resource.h>
+#include <thread>
 #include <unistd.h>
+#include <vector>
 
 namespace {
 
@@ -45,6 +51,86 @@ TEST(H5Table, ComesBackAsItWent) {
   EXPECT_THROW(write_h5(file, table), Error);
   EXPECT_EQ(read_h5(file).datasets.size(), 3u); // the old file is still whole
   std::filesystem::remove(file);
+}
+
+TEST(H5Reader, ReadsWhatWasWrittenRunByRun) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "out.h5";
+  {
+    H5Writer writer(file);
+    writer.add_line("group/x", 5, "mm", "a line");
+    writer.add_line("none", 0, "1", "no number");
+    const std::vector<double> first{1, 2}, last{3, 4, 5};
+    writer.put("group/x", 2, last);
+    writer.put("group/x", 0, first);
+    H5Table more;
+    more.attributes["cases/000007/reason"] = std::string("why");
+    more.attributes["cases/000007/right/model"] = std::string("fem");
+    more.datasets["cases/000007/p"] = H5Dataset::line({6, 7}, "MPa", "pressure");
+    more.datasets["count"] = H5Dataset::single(3, "1", "how many");
+    writer.add(more);
+    writer.finish();
+  }
+  EXPECT_EQ(read_h5(file).datasets.at("group/x").values, (std::vector<double>{1, 2, 3, 4, 5}));
+  EXPECT_EQ(read_h5(file).datasets.at("group/x").unit, "mm");
+  const H5Reader reader(file);
+  EXPECT_EQ(reader.line("group/x", 1, 3), (std::vector<double>{2, 3, 4}));
+  EXPECT_EQ(reader.size("group/x"), 5U);
+  EXPECT_EQ(reader.size("none") + reader.size("group/y") + reader.size("other/x"), 0U);
+  EXPECT_EQ(reader.number("count"), 3);
+  EXPECT_TRUE(std::isnan(reader.number("group/x")) && std::isnan(reader.number("absent")));
+  EXPECT_EQ(reader.members("cases"), std::set<std::string>{"000007"});
+  EXPECT_EQ(reader.text("cases/000007", "reason"), "why");
+  EXPECT_EQ(reader.text("cases/000008", "reason"), "");
+  const H5Table group = reader.group("cases/000007");
+  EXPECT_EQ(text_attribute(group, "reason"), "why");
+  EXPECT_EQ(text_attribute(group, "right/model"), "fem");
+  EXPECT_EQ(group.datasets.at("p").values, (std::vector<double>{6, 7}));
+  EXPECT_TRUE(reader.group("cases/000008").attributes.empty());
+  EXPECT_THROW(reader.line("group/x", 3, 3), InputError);
+  EXPECT_THROW(reader.line("cases", 0, 1), InputError);
+  EXPECT_THROW(reader.require("group/x", 4), InputError);
+  EXPECT_THROW(reader.require("none", 1), InputError);
+  EXPECT_NO_THROW(reader.require("none", 0));
+}
+
+/// A group that lies in another file is not there: that file may be a pipe, or one that others may not read.
+TEST(H5Reader, FollowsNoLink) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "out.h5", other = folder.path() / "other.h5";
+  H5Table table;
+  table.attributes["cases/000000/reason"] = std::string("why");
+  write_h5(other, table);
+  H5Writer(file).finish();
+  {
+    const H5Handle h5(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    ASSERT_GE(H5Lcreate_external(other.c_str(), "cases", h5, "cases", H5P_DEFAULT, H5P_DEFAULT), 0);
+    ASSERT_GE(H5Lcreate_soft("/cases", h5, "soft", H5P_DEFAULT, H5P_DEFAULT), 0);
+  }
+  const H5Reader reader(file);
+  for (const char* group : {"cases", "soft"}) {
+    EXPECT_TRUE(reader.members(group).empty());
+    EXPECT_TRUE(reader.group(std::string(group) + "/000000").attributes.empty());
+  }
+}
+
+TEST(H5Writer, TheSameNumbersAreTheSameBytes) {
+  const TemporaryFolder folder;
+  const auto written = [&](const char* name) {
+    const auto file = folder.path() / name;
+    H5Writer writer(file);
+    H5Table table;
+    table.checksums = true;
+    table.datasets["a/b"] = H5Dataset::line({1, 2}, "mm", "some");
+    table.attributes["c/d/e"] = 1.0;
+    table.texts["f/g"] = {"text", "words"};
+    writer.add(table);
+    writer.finish();
+    return text_of(file);
+  };
+  const std::string first = written("a.h5");
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // HDF5 would write seconds
+  EXPECT_EQ(first, written("b.h5"));
 }
 
 /// Tables of 80 kB with 20 datasets, until the limit on the size of files, met as a full disk is. A process
