@@ -216,6 +216,17 @@ OutputTarget output_target(const fs::path& output, OutputForm form) {
   return {file, stream};
 }
 
+void make_folder(const fs::path& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (!failed && !fs::is_directory(folder))
+    failed = std::make_error_code(std::errc::not_a_directory);
+  if (failed)
+    throw InputError(fmt::format("The folder '{}' cannot be made", folder.string()),
+                     failed == std::errc::filename_too_long ? "the name is too long" : failed.message(),
+                     "Give another one.");
+}
+
 WholeFile::WholeFile(fs::path file, const std::string& ending)
     : file_(std::move(file)), temporary_(temporary_name(file_, ending)) {
   remove_leftovers(file_, ending);

@@ -40,6 +40,9 @@ struct OutputTarget {
 /// whole file also a stream.
 OutputTarget output_target(const std::filesystem::path& output, OutputForm form);
 
+/// Makes a folder for outputs, and those that it lies in; one that is there will do. Throws InputError.
+void make_folder(const std::filesystem::path& folder);
+
 /// A file that is whole or absent. It is written under a temporary name beside it, and commit() renames it.
 /// What was not committed is removed with the object; what a killed process has left, by the next one that
 /// writes the same file.

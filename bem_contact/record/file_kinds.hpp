@@ -11,6 +11,7 @@ inline constexpr const char* result_format = "bem_contact result 3";
 inline constexpr const char* case_format = "bem_contact case 3"; ///< of a sweep
 inline constexpr const char* comparison_format = "bem_contact comparison 3";
 inline constexpr const char* sweep_format = "bem_contact sweep 3";
+inline constexpr const char* sweep_part_format = "bem_contact sweep part 1";
 inline constexpr const char* wheelset_format = "bem_contact wheelset 2";
 inline constexpr const char* conicity_format = "bem_contact conicity 2";
 inline constexpr const char* creep_curves_format = "bem_contact creep curves 2";
@@ -31,6 +32,7 @@ inline constexpr FileKind file_kinds[] = {
     {comparison_format, "A comparison of bem_contact", "comparison", "a comparison", "compare"},
     {sweep_format, "A sweep of bem_contact; cases/000012/ has the fields of a case", "sweep",
      "the cases of a sweep", "sweep"},
+    {sweep_part_format, "Some cases of a sweep; bem_contact sweep --join makes the whole of its parts"},
     {wheelset_format, "Both wheels of a wheelset", "wheelset", "both wheels of a wheelset", "wheelset"},
     {conicity_format, "The conicity of a wheelset", "conicity", "the conicity of a wheelset", "conicity"},
     {creep_curves_format, "Creep curves", "creep curves", "creep curves", "creep-curves"},

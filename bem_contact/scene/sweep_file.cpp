@@ -20,6 +20,8 @@ namespace {
 
 /// More is a typing error: the records of the cases alone would need gigabytes.
 constexpr std::size_t most_cases = 10'000'000;
+/// Cases. More keep no fields unless the scene asks for them: of so many they are 0.2 GB. Chosen.
+constexpr std::size_t most_with_fields = 1000;
 /// Checking so many scenes takes a second (0.1 ms each), and users are told what takes so long.
 constexpr std::size_t many_scenes = 10'000;
 
@@ -176,6 +178,10 @@ std::size_t SweepFile::size() const {
   return n;
 }
 
+bool SweepFile::keeps_fields() const {
+  return fields.value_or(size() <= most_with_fields);
+}
+
 std::vector<std::size_t> SweepFile::indices(std::size_t index) const {
   std::vector<std::size_t> out(axes.size(), index);
   for (std::size_t a = axes.size(); a-- > 0 && !zip;) {
@@ -265,28 +271,33 @@ SweepFile read_sweep_file(const std::filesystem::path& file) {
 
 namespace {
 
-/// Adds `stride` times the values to be checked. Keys allow intervals, so the ends of a range say whether all
-/// of it is allowed; the second value says whether it is a whole number.
-void add_checked(std::set<std::size_t>& cases, std::size_t values, bool range, std::size_t stride) {
-  for (std::size_t k = 0; k < values; k += range && k == 1 ? std::max<std::size_t>(values - 2, 1) : 1)
-    cases.insert(k * stride);
+/// Adds a case of each value of a list: `values` of them, of which each holds for `stride` cases. Keys allow
+/// intervals, so the ends of a range say whether all of it is allowed; the second value says whether it is a
+/// whole number.
+void add_checked(std::set<std::size_t>& checked, CaseRange cases, std::size_t values, bool range,
+                 std::size_t stride) {
+  const std::size_t begin = cases.first / stride, end = (cases.last - 1) / stride + 1;
+  for (std::size_t k = begin; k < std::min(end, begin + values); ++k)
+    if (const std::size_t value = k % values;
+        !range || value < 2 || value + 1 == values || k == begin || k + 1 == end)
+      checked.insert(std::max(cases.first, k * stride));
 }
 
 } // namespace
 
-void check_values(const SweepFile& sweep) {
-  std::set<std::size_t> cases{0};
+void check_values(const SweepFile& sweep, CaseRange cases) {
+  std::set<std::size_t> checked{cases.first};
   if (sweep.zip)
-    add_checked(cases, sweep.size(), std::ranges::all_of(sweep.axes, &SweepFile::Axis::range), 1);
+    add_checked(checked, cases, sweep.size(), std::ranges::all_of(sweep.axes, &SweepFile::Axis::range), 1);
   std::size_t stride = sweep.size();
   for (const SweepFile::Axis& axis : sweep.axes) {
     stride /= axis.values.size();
     if (!sweep.zip)
-      add_checked(cases, axis.values.size(), axis.range, stride);
+      add_checked(checked, cases, axis.values.size(), axis.range, stride);
   }
-  if (cases.size() >= many_scenes)
-    messages()->info("{} scenes of '{}' are checked before one is solved", cases.size(), sweep.text.source);
-  for (const std::size_t index : cases)
+  if (checked.size() >= many_scenes)
+    messages()->info("{} scenes of '{}' are checked before one is solved", checked.size(), sweep.text.source);
+  for (const std::size_t index : checked)
     sweep.scene(index);
 }
 

@@ -4,11 +4,20 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace bem_contact {
+
+/// Cases that follow each other: first, first + 1 ... last - 1.
+struct CaseRange {
+  std::size_t first = 0, last = 0;
+
+  std::size_t size() const { return last - first; }
+  bool operator==(const CaseRange&) const = default;
+};
 
 /// A scene file with a table [sweep]: lists or ranges for any of its keys.
 ///
@@ -40,9 +49,12 @@ struct SweepFile {
   /// sweep.table: CSV file of lists and weights instead of those of the file (case_table.hpp); "": none.
   std::string table = {};
   bool zip = false;
-  bool fields = true; ///< keep the fields of each case, not only its totals
+  std::optional<bool> fields = {}; ///< whether fields of each case are kept, not only its totals
 
   std::size_t size() const;
+  CaseRange all() const { return {0, size()}; }
+  /// What `fields` says; if it says nothing, only few cases have fields: they take 200 kB a case.
+  bool keeps_fields() const;
   /// How often a case occurs; 1 without sweep.weight.
   double weight(std::size_t index) const { return weights.empty() ? 1 : weights[index]; }
   /// Which value of each axis a case has.
@@ -63,10 +75,13 @@ SweepFile read_sweep_file(const std::filesystem::path& file);
 /// `section`: the table that has the lists. "table" (bem_contact table) has lists alone, no mode or weight.
 SweepFile parse_sweep_file(SceneText given, std::string_view section = "sweep");
 
-/// Parses the scene of every value of every list, and all cases of a zip, so that wrong input is found before
-/// anything is computed; of a range that of its first two values and its last. Says how many they are where
-/// that takes long. Throws InputError.
-void check_values(const SweepFile& sweep);
+/// Parses a scene of every value that these cases have, and all of them of a zip, so that wrong input is
+/// found before anything is computed; of a range that of its first two values and its last. Says how many
+/// they are where that takes long. Throws InputError.
+void check_values(const SweepFile& sweep, CaseRange cases);
+inline void check_values(const SweepFile& sweep) {
+  check_values(sweep, sweep.all());
+}
 
 /// Returns the value as TOML writes it, numbers with the fewest digits that give them back.
 std::string to_text(const SchemaValue& value);

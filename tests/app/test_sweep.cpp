@@ -1,9 +1,9 @@
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
-#include "bem_contact/app/sweep/sweep_journal.hpp"
-#include "bem_contact/app/sweep/sweep_workers.hpp"
+#include "bem_contact/app/sweep/sweep_on_cores.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/said_by.hpp"
 #include "bem_contact/h5/table.hpp"
+#include "bem_contact/sequence/shared_files.hpp"
 #include "tests/app/run_program.hpp"
 #include "tests/sanitized.hpp"
 
@@ -11,7 +11,6 @@
 #include <cmath>
 #include <csignal>
 #include <gmock/gmock.h>
-#include <map>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
@@ -36,7 +35,18 @@ protected:
     return std::string("'").append(write("s.toml", text).string()).append("'");
   }
   fs::path out() const { return folder_ / "o.h5"; }
-  fs::path journal() const { return folder_ / "o.h5.part"; }
+  fs::path parts() const { return folder_ / "o.h5.parts"; }
+  /// What a command takes: some cases of a text, in one process.
+  Outcome part(const std::string& text, const std::string& cases, const std::string& name) const {
+    return run("sweep " + scene(text) + " -o '" + (folder_ / name).string() + "' --cases " + cases);
+  }
+  /// As the program asks for it, so that it goes on with what is found here.
+  app::AskedSweep asked(const std::string& text) const {
+    const fs::path file = write("s.toml", text);
+    app::AskedSweep out{file, read_sweep_file(file)};
+    out.digest = app::digest_of(out.sweep, "");
+    return out;
+  }
   Outcome sweep(const std::string& text, const std::string& more = "") const {
     return run("sweep " + scene(text) + " -o '" + out().string() + "' " + more);
   }
@@ -66,7 +76,7 @@ TEST_F(Sweep, EachCaseIsWhatSolveSaysOfIt) {
   const Outcome r = sweep(cases, "--csv '" + (folder_ / "o.csv").string() + "'");
   ASSERT_EQ(r.code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("20 certified, of 20 cases"));
-  EXPECT_FALSE(fs::exists(journal()));
+  EXPECT_FALSE(fs::exists(parts()));
   const H5Table table = read_h5(out());
   const auto top = [&](const char* name) { return table.datasets.at(name).values[13]; }; // 6e3, 1.5e-3
   EXPECT_EQ(top("load.force"), 6e3);
@@ -98,8 +108,16 @@ TEST_F(Sweep, ResultsDoNotDependOnTheNumberOfProcesses) {
   expect_equal(one, found(out()));
 }
 
+std::size_t files_in(const fs::path& folder) {
+  std::error_code ignored;
+  std::size_t count = 0;
+  for (fs::directory_iterator at(folder, ignored), end; !ignored && at != end; at.increment(ignored))
+    count += at->path().extension() == ".h5";
+  return count;
+}
+
 TEST_F(Sweep, KilledItGoesOnAndSolvesNothingTwice) {
-  NEEDS_NO_SANITIZER(); // the next test cuts the journal anywhere
+  NEEDS_NO_SANITIZER(); // other tests leave parts behind in other ways
   ASSERT_EQ(sweep(cases).code, 0);
   const H5Table whole = found(out());
   fs::remove(out());
@@ -107,7 +125,7 @@ TEST_F(Sweep, KilledItGoesOnAndSolvesNothingTwice) {
   const std::string file = (folder_ / "s.toml").string(), output = out().string();
   int killed = 0;
   for (int attempt = 0; attempt < 200 && !fs::exists(out()); ++attempt) {
-    const auto before = fs::exists(journal()) ? fs::file_size(journal()) : 0;
+    const std::size_t before = files_in(parts());
     const pid_t process = fork();
     ASSERT_GE(process, 0);
     if (process == 0) {
@@ -118,11 +136,9 @@ TEST_F(Sweep, KilledItGoesOnAndSolvesNothingTwice) {
     }
     // Kill it once it has got a little further, at a moment of no importance to it.
     for (int wait = 0; wait < 5000; ++wait) {
-      std::error_code ignored;
-      const auto size = fs::file_size(journal(), ignored);
       if (waitpid(process, nullptr, WNOHANG) == process)
         break;
-      if (!ignored && size > before + 20000 * std::size_t(1 + attempt % 3)) {
+      if (files_in(parts()) > before) {
         kill(process, SIGKILL);
         waitpid(process, nullptr, 0);
         ++killed;
@@ -131,89 +147,162 @@ TEST_F(Sweep, KilledItGoesOnAndSolvesNothingTwice) {
       std::this_thread::sleep_for(std::chrono::microseconds(500));
     }
     // Whatever was whole stays.
-    if (fs::exists(journal())) {
-      EXPECT_GE(fs::file_size(journal()), before);
+    if (!fs::exists(out())) {
+      EXPECT_GE(files_in(parts()), before);
     }
   }
   EXPECT_GE(killed, 1);
   ASSERT_TRUE(fs::exists(out()));
   expect_equal(whole, found(out()));
+  EXPECT_FALSE(fs::exists(parts()));
 }
 
-TEST_F(Sweep, AJournalCutAnywhereLosesOnlyTheLastCase) {
+TEST_F(Sweep, APartThatIsCutOrChangedIsRefused) {
   const std::string few = patch + "load.force = [4e3, 5e3, 6e3]\n";
-  ASSERT_EQ(sweep(few).code, 0);
+  ASSERT_EQ(part(few, "0:3", "p.h5").code, 0);
+  const std::string bytes = text_of(folder_ / "p.h5");
+  const auto joined = [&](const std::string& changed) {
+    std::ofstream(folder_ / "q.h5", std::ios::binary) << changed;
+    return sweep(few, "--join '" + (folder_ / "q.h5").string() + "'");
+  };
+  ASSERT_EQ(joined(bytes).code, 0);
   const H5Table whole = found(out());
   fs::remove(out());
-  ASSERT_EQ(sweep(few, "--part 1/2").code, 0); // the journal of a share stays
-  fs::rename(folder_ / "o.h5.part-1-of-2", folder_ / "kept");
-  const std::string bytes = text_of(folder_ / "kept");
-  const std::size_t header = std::string("bem_contact sweep 2\n").size() + 64 + 1;
   for (const std::size_t length :
-       {std::size_t{0}, std::size_t{5}, header - 1, header, header + 3, bytes.size() / 2, bytes.size() - 1}) {
-    fs::remove(out());
-    std::ofstream(journal(), std::ios::binary) << bytes.substr(0, length);
-    ASSERT_EQ(sweep(few).code, 0) << length;
-    expect_equal(whole, found(out()));
+       {std::size_t{0}, std::size_t{5}, std::size_t{100}, bytes.size() / 2, bytes.size() - 1}) {
+    const Outcome cut = joined(bytes.substr(0, length));
+    EXPECT_EQ(cut.code, 2) << length;
+    EXPECT_THAT(cut.err, HasSubstr("q.h5' cannot be read")) << length;
   }
-  // A byte that is not what was written: nothing from there on is believed.
+  // A bit that is not what was written: refused, or of no number.
+  const std::size_t step = bytes.size() / static_cast<std::size_t>(tests::alike(200));
+  int refused = 0;
+  for (std::size_t at = 1; at < bytes.size(); at += step) {
+    std::string wrong = bytes;
+    wrong[at] = static_cast<char>(wrong[at] ^ 1);
+    const Outcome changed = joined(wrong);
+    if (changed.code == 0) {
+      expect_equal(whole, found(out()));
+      fs::remove(out());
+    } else {
+      EXPECT_EQ(changed.code, 2) << at;
+      EXPECT_THAT(changed.err, HasSubstr("q.h5")) << at;
+      ++refused;
+    }
+    EXPECT_FALSE(fs::exists(out()));
+  }
+  EXPECT_GE(refused, tests::alike(100));
+}
+
+TEST_F(Sweep, AnEmptyFileOfACrashIsSolvedAgain) {
+  ASSERT_EQ(sweep(cases).code, 0);
+  const H5Table whole = found(out());
   fs::remove(out());
-  std::string wrong = bytes;
-  wrong[header + 100] ^= 1;
-  std::ofstream(journal(), std::ios::binary) << wrong;
-  ASSERT_EQ(sweep(few).code, 0);
+  fs::create_directory(parts());
+  for (const char* name : {"000004.h5", "000004.h5.tmp1", "size"})
+    std::ofstream(parts() / name) << "";
+  const Outcome again = sweep(cases);
+  EXPECT_EQ(again.code, 0) << again.err;
   expect_equal(whole, found(out()));
 }
 
 /// Memory may have run out, and the next run may have more of it.
-TEST_F(Sweep, ACaseWhoseProcessDiedIsSolvedAgainByTheSameCommand) {
-  const std::string few = patch + "load.force = [4e3, 5e3, 6e3]\n";
-  ASSERT_EQ(sweep(few).code, 0);
+TEST_F(Sweep, AProcessThatDiesCostsItsCaseAloneAndTheSameCommandSolvesThat) {
+  ASSERT_EQ(sweep(cases).code, 0);
   const H5Table whole = found(out());
-  for (const char* name : {"o.h5.part", "o.h5.part-1-of-2"}) {
-    SCOPED_TRACE(name);
-    fs::remove(out());
-    {
-      const std::string digest = app::digest_of(read_sweep_file(write("s.toml", few)), "");
-      app::SweepJournal died(folder_ / name, digest, [](const app::CaseRecord&) {});
-      died.append(app::to_bytes({{.index = 1, .status = CaseStatus::died, .reason = "by signal 9"}}));
-    }
-    // A file that says so is not complete.
-    const Outcome merged = sweep(few, "--merge");
-    EXPECT_EQ(merged.code, 3) << merged.err;
-    EXPECT_THAT(merged.out, HasSubstr("1 died"));
-    EXPECT_EQ(text_attribute(read_h5(out()), "cases/000001/reason"), "by signal 9");
-    const Outcome again = sweep(few);
-    EXPECT_EQ(again.code, 0) << again.err;
-    EXPECT_THAT(again.out, HasSubstr("3 certified, of 3 cases"));
-    expect_equal(whole, found(out()));
-    EXPECT_FALSE(fs::exists(folder_ / name));
+  fs::remove(out());
+  {
+    const app::AskedSweep here = asked(cases);
+    const app::PartsFolder folder(here, out());
+    const app::PartSolver real = app::part_solver(here);
+    const app::SolvedParts solved = app::solve_on_cores(folder, 3, [&](CaseRange part, const fs::path& file) {
+      if (part.first <= 6 && 6 < part.last)
+        raise(SIGKILL);
+      if (part.first <= 7 && 7 < part.last)
+        _exit(9);
+      if (part.first <= 18 && 18 < part.last)
+        throw std::bad_alloc();
+      real(part, file);
+    });
+    EXPECT_EQ(solved.code, 0);
+    ASSERT_EQ(solved.died.size(), 3U);
+    EXPECT_THAT(solved.died.at(6), HasSubstr("signal 9"));
+    EXPECT_THAT(solved.died.at(7), HasSubstr("code 9"));
+    EXPECT_EQ(solved.died.at(18), said_by(std::bad_alloc()));
+    EXPECT_EQ(app::missing_ranges(folder.parts(), 20), (std::vector<CaseRange>{{6, 8}, {18, 19}}));
+    app::join(here, folder.parts(), solved.died, out());
   }
+  const H5Table died = read_h5(out()); // such a file is not complete
+  EXPECT_EQ(died.datasets.at("died_count").values, std::vector<double>{3});
+  EXPECT_EQ(died.datasets.at("certified_count").values, std::vector<double>{17});
+  EXPECT_EQ(text_attribute(died, "cases/000018/reason"), said_by(std::bad_alloc()));
+  const Outcome again = sweep(cases);
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_THAT(again.err, HasSubstr("cases: 3/3"));
+  EXPECT_THAT(again.out, HasSubstr("20 certified, of 20 cases"));
+  EXPECT_FALSE(fs::exists(parts()));
+  // Some cases started cold: as exact, but not digit for digit.
+  for (const char* name : {"Fx", "Fz", "pmax"})
+    for (std::size_t i = 0; i < 20; ++i)
+      EXPECT_NEAR(read_h5(out()).datasets.at(name).values[i], whole.datasets.at(name).values[i], 1e-5 * 7e3);
 }
 
-/// What others have beside the output is neither read nor removed.
-TEST_F(Sweep, OnlyItsOwnJournalsAreJournals) {
-  const fs::path pipe = folder_ / "o.h5.part-1-of-2", folder = folder_ / "o.h5.part-2-of-2";
-  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  fs::create_directory(folder);
+/// A fault of the machine is no death of a case: nothing is solved again and again.
+TEST_F(Sweep, WhatAProcessCannotDoEndsTheSweep) {
+  const app::AskedSweep here = asked(cases);
+  const app::PartsFolder folder(here, out());
+  testing::internal::CaptureStderr();
+  const auto code = [&](const auto& fault) {
+    return app::solve_on_cores(folder, 2, [&](CaseRange, const fs::path&) { throw fault; }).code;
+  };
+  EXPECT_EQ(code(InputError("Wrong", "one", "Mend it.")), 2);
+  EXPECT_EQ(code(Error("Full", "three", "Make room.")), 1);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("Full (three) Make room."));
+}
+
+/// Where the first case of a part takes so long that it is the only one.
+TEST_F(Sweep, SlowCasesArePartsOfTheirOwn) {
+  ASSERT_EQ(sweep(cases).code, 0);
+  const H5Table whole = found(out());
+  const app::AskedSweep here = asked(cases);
+  fs::remove(out());
+  const app::PartsFolder folder(here, out());
+  const auto solve = [&](CaseRange part, const fs::path& file) {
+    EXPECT_EQ(app::solve_part(here, part, shared_files(), file, 0, [] {}).size(), 1U);
+  };
+  EXPECT_TRUE(app::solve_on_cores(folder, 2, solve).died.empty());
+  EXPECT_EQ(folder.parts().size(), 20U);
+  EXPECT_EQ(folder.size(), 1U);
+  app::join(here, folder.parts(), {}, out());
+  folder.clear();
+  for (const char* name : {"Fx", "Fz", "pmax"})
+    for (std::size_t i = 0; i < 20; ++i)
+      EXPECT_NEAR(read_h5(out()).datasets.at(name).values[i], whole.datasets.at(name).values[i], 1e-5 * 7e3);
+}
+
+/// What others have in the folder is neither read nor removed.
+TEST_F(Sweep, OnlyItsOwnPartsAreParts) {
+  fs::create_directories(parts() / "000002.h5");
   const std::string few = patch + "load.force = [4e3]\n";
-  const auto names = {"o.h5.part-empty-of-mine", "o.h5.part-01-of-2", "o.h5.part-1-of-2.old",
-                      "o.h5.part-3-of-4"};
+  const auto names = {"mine.h5", "000001.h5.old", "000001", "1.h5.copy"};
   for (const char* name : names)
-    write(name, name == std::string("o.h5.part-3-of-4") ? "mine" : "");
-  EXPECT_EQ(sweep(few, "--merge").code, 3); // its case is missing
+    std::ofstream(parts() / name) << "mine";
   const Outcome solved = sweep(few);
   EXPECT_EQ(solved.code, 0) << solved.err;
   for (const char* name : names)
-    EXPECT_TRUE(fs::exists(folder_ / name)) << name;
-  EXPECT_TRUE(fs::is_fifo(pipe) && fs::is_directory(folder));
+    EXPECT_TRUE(fs::exists(parts() / name)) << name;
+  EXPECT_TRUE(fs::is_directory(parts() / "000002.h5"));
+  EXPECT_FALSE(fs::exists(parts() / "000000.h5"));
   fs::remove(out());
-  const Outcome share = sweep(few, "--part 1/2");
-  EXPECT_EQ(share.code, 2);
-  EXPECT_THAT(share.err, HasSubstr("a pipe"));
-  const Outcome other = sweep(few, "--part 2/2");
-  EXPECT_EQ(other.code, 2);
-  EXPECT_THAT(other.err, HasSubstr("it is a folder"));
+  const fs::path pipe = parts() / "000000.h5";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const Outcome refused = sweep(few);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("a pipe"));
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  fs::remove_all(parts());
+  std::ofstream(parts()) << "mine";
+  EXPECT_THAT(sweep(few).err, HasSubstr("o.h5.parts' cannot be made"));
 }
 
 TEST_F(Sweep, FinishedItSolvesNothingAndSaysSo) {
@@ -247,24 +336,111 @@ TEST_F(Sweep, AFailedCaseIsRecordedWithItsReasonAndTheOthersAreSolved) {
   EXPECT_EQ(sweep(text, "--model halfspace").code, 3); // complete, and still not all certified
 }
 
-TEST_F(Sweep, SharesMergedAreTheWhole) {
-  ASSERT_EQ(sweep(cases).code, 0);
+TEST_F(Sweep, PartsJoinedAreTheWhole) {
+  ASSERT_EQ(sweep(cases, "--csv '" + (folder_ / "o.csv").string() + "'").code, 0);
   const H5Table whole = found(out());
+  const std::string patches = text_of(folder_ / "o_patches.csv");
   fs::remove(out());
-  for (const char* part : {"2/3", "1/3"}) {
-    const Outcome r = sweep(cases, std::string("--part ") + part);
+  fs::create_directory(folder_ / "some parts");
+  for (const char* range : {"12:20", "0:8"}) {
+    const Outcome r = part(cases, range, std::string("some parts/") + range[0] + ".h5");
     EXPECT_EQ(r.code, 0) << r.err;
-    EXPECT_FALSE(fs::exists(out()));
+    EXPECT_THAT(r.out, HasSubstr("8 certified, of 8 cases"));
   }
-  Outcome merged = sweep(cases, "--merge");
-  EXPECT_EQ(merged.code, 3);
-  EXPECT_THAT(merged.out, HasSubstr("4 missing"));
+  const std::string join =
+      "--join '" + (folder_ / "some parts").string() + "' --csv '" + (folder_ / "j.csv").string() + "'";
+  Outcome joined = sweep(cases, join);
+  EXPECT_EQ(joined.code, 3);
+  EXPECT_THAT(joined.out, HasSubstr("4 missing"));
   EXPECT_EQ(read_h5(out()).datasets.at("missing_count").values, std::vector<double>{4});
-  ASSERT_EQ(sweep(cases, "--part 3/3").code, 0);
-  merged = sweep(cases, "--merge");
-  EXPECT_EQ(merged.code, 0) << merged.err;
+  // The command that it names solves them.
+  const std::size_t at = joined.out.find("bem_contact sweep");
+  ASSERT_NE(at, std::string::npos) << joined.out;
+  std::string command = joined.out.substr(at + 12, joined.out.find('\n', at) - at - 12);
+  command.replace(command.find("cases_8_12.h5"), 13, "'" + (folder_ / "some parts/rest.h5").string() + "'");
+  ASSERT_EQ(run(command).code, 0) << command;
+  joined = sweep(cases, join);
+  EXPECT_EQ(joined.code, 0) << joined.err;
+  EXPECT_EQ(joined.out.find("missing"), std::string::npos);
   expect_equal(whole, found(out()));
-  EXPECT_FALSE(fs::exists(folder_ / "o.h5.part-1-of-3"));
+  EXPECT_EQ(text_of(folder_ / "j_patches.csv"), patches);
+}
+
+/// The same cases give the same bytes. Only their seconds differ.
+TEST_F(Sweep, APartIsTheSameBytesAgain) {
+  const auto bytes = [&](const std::string& name) {
+    EXPECT_EQ(part(cases, "3:9", name).code, 0);
+    std::string text = text_of(folder_ / name);
+    const H5Table table = read_h5(folder_ / name);
+    for (const char* seconds : {"seconds", "cpu_seconds"}) {
+      const std::vector<double>& values = table.datasets.at(seconds).values;
+      const std::size_t at =
+          text.find(std::string(reinterpret_cast<const char*>(values.data()), 8 * values.size()));
+      EXPECT_NE(at, text.npos);
+      text.replace(at, 8 * values.size() + 4, 8 * values.size() + 4, ' '); // and their checksum
+    }
+    return text;
+  };
+  EXPECT_EQ(bytes("a.h5"), bytes("b.h5"));
+}
+
+TEST_F(Sweep, ACutWithinAChunkIsAsExact) {
+  ASSERT_EQ(sweep(cases).code, 0);
+  const H5Table whole = read_h5(out());
+  ASSERT_EQ(part(cases, "6:7", "p.h5").code, 0);
+  const H5Table one = read_h5(folder_ / "p.h5");
+  EXPECT_NEAR(one.datasets.at("Fx").values.at(0), whole.datasets.at("Fx").values[6], 1e-5 * 5e3);
+  EXPECT_EQ(one.datasets.at("motion.xi").values,
+            std::vector<double>{whole.datasets.at("motion.xi").values[6]});
+  const Outcome info = run("info '" + (folder_ / "p.h5").string() + "'");
+  EXPECT_EQ(info.code, 0) << info.err;
+  EXPECT_THAT(info.out, HasSubstr("Some cases of a sweep"));
+}
+
+TEST_F(Sweep, PartsThatDoNotFitAreRefused) {
+  const auto named = [&](const char* name) { return "'" + (folder_ / name).string() + "' "; };
+  ASSERT_EQ(part(cases, "0:5", "a.h5").code, 0);
+  ASSERT_EQ(part(cases, "4:6", "b.h5").code, 0);
+  ASSERT_EQ(part(patch + "load.force = [4e3, 5e3]\n", "0:1", "other.h5").code, 0);
+  const auto refused = [&](const std::string& parts, const std::string& words) {
+    const Outcome r = sweep(cases, "--join " + parts);
+    EXPECT_EQ(r.code, 2) << words;
+    EXPECT_THAT(r.err, HasSubstr(words));
+    EXPECT_FALSE(fs::exists(out()));
+  };
+  refused(named("a.h5") + named("b.h5"), "Two parts of the sweep have case 4");
+  refused(named("a.h5") + named("a.h5"), "Two parts of the sweep have case 0");
+  refused(named("a.h5") + named("other.h5"), "other.h5' belongs to another sweep");
+  refused(named("a.h5") + "--strict", "a.h5' belongs to another sweep");
+  refused(named("none.h5"), "there is no such file");
+  refused(named("s.toml"), "cannot be read");
+  ASSERT_EQ(run("solve '" +
+                write("one.toml", patch.substr(0, patch.find("[sweep]")) + "load.force = 1e3\n").string() +
+                "' -o " + named("r.h5"))
+                .code,
+            0);
+  refused(named("r.h5"), "is no part of a sweep");
+  const Outcome over = run("sweep " + scene(cases) + " --join " + named("a.h5") + " -o " + named("a.h5"));
+  EXPECT_EQ(over.code, 2);
+  EXPECT_THAT(over.err, HasSubstr("would overwrite"));
+}
+
+/// Of more than 1000 cases only the totals are kept, unless the scene asks for more.
+TEST_F(Sweep, ManyCasesKeepTheirTotals) {
+  const std::string many = patch + "load.force = { from = 4e3, to = 5e3, count = 1001 }\n";
+  EXPECT_EQ(run("sweep " + scene(many) + " --count").out, "1001\n");
+  const auto keeps = [&](const std::string& text) {
+    const Outcome one = part(text, "1000:1001", "p.h5");
+    EXPECT_EQ(one.code, 0) << one.err;
+    EXPECT_THAT(one.err, testing::Not(HasSubstr("totals")));
+    return read_h5(folder_ / "p.h5").datasets.contains("cases/001000/p_n");
+  };
+  EXPECT_TRUE(keeps(many + "fields = true\n"));
+  EXPECT_FALSE(keeps(many));
+  const Outcome joined = sweep(many, "--join '" + (folder_ / "p.h5").string() + "'");
+  EXPECT_EQ(joined.code, 3);
+  EXPECT_THAT(joined.out, HasSubstr("1 certified, 1000 missing"));
+  EXPECT_THAT(joined.err, HasSubstr("of 1001 cases only the totals are kept"));
 }
 
 TEST_F(Sweep, AnotherSweepIsNeverMixedInOrLost) {
@@ -277,8 +453,10 @@ TEST_F(Sweep, AnotherSweepIsNeverMixedInOrLost) {
   EXPECT_EQ(text_of(out()), before);
 
   fs::remove(out());
-  ASSERT_EQ(sweep(cases, "--part 1/2").code, 0);
+  fs::create_directory(parts());
+  ASSERT_EQ(part(cases, "0:4", "o.h5.parts/000000.h5").code, 0);
   EXPECT_THAT(sweep(patch + "load.force = [1e3]\n").err, HasSubstr("belongs to another sweep"));
+  EXPECT_TRUE(fs::exists(parts() / "000000.h5"));
   EXPECT_THAT(run("sweep " + scene(cases) + " -o '" + (folder_ / "s.toml").string() + "'").err,
               HasSubstr("would overwrite"));
 }
@@ -305,99 +483,40 @@ TEST_F(Sweep, WrongInputIsRefusedBeforeAnythingIsSolved) {
     EXPECT_EQ(r.code, 2) << words;
     EXPECT_THAT(r.err, HasSubstr(words));
     EXPECT_FALSE(fs::exists(out()));
-    EXPECT_FALSE(fs::exists(journal()));
+    EXPECT_FALSE(fs::exists(parts()));
   };
   refused(patch + "load.force = [1e3, 2e3, -1]\n", "", "load.force = -1.0 (out of range)");
   refused(patch, "", "no table [sweep]");
-  refused(cases, "--part 4/3", "--part 4/3 cannot be");
-  refused(cases, "--part 1of3", "is not of the form 2/8");
-  refused(cases, "--part 1/2 --merge", "excludes");
+  refused(cases, "--cases 4:4", "there is no case in it");
+  refused(cases, "--cases 5:4", "there is no case in it");
+  refused(cases, "--cases 19:21", "the sweep has 20 cases, from 0 on");
+  for (const char* odd : {"3", "3-4", "a:b", "-1:3", "1:2:3"})
+    refused(cases, std::string("--cases ") + odd, "is not of the form 3200:6400");
+  refused(cases, "--cases 0:1 --jobs 2", "excludes");
+  refused(cases, "--cases 0:1 --join x.h5", "excludes");
+  refused(cases, "--cases 0:1 --csv x.csv", "excludes");
+  for (const char* gone : {"--part 1/2", "--merge"})
+    refused(cases, gone, "Solve some cases with -o PART.h5 --cases 0:3200");
   refused(cases, "--jobs -1", "--jobs");
+  EXPECT_THAT(run("sweep " + scene(cases)).err, HasSubstr("--output is required"));
 }
 
-TEST_F(Sweep, TwoCannotWriteOneJournal) {
-  const std::string digest(64, 'a');
-  const auto ignore = [](const app::CaseRecord&) {};
-  const app::SweepJournal first(journal(), digest, ignore);
-  try {
-    const app::SweepJournal second(journal(), digest, ignore);
-    FAIL();
-  } catch (const std::exception& error) {
-    EXPECT_THAT(error.what(), HasSubstr("in use"));
-  }
+/// A value that none of its cases has is nothing to a part.
+TEST_F(Sweep, APartChecksItsOwnCases) {
+  const std::string text = patch + "load.force = [1e3, 2e3, -1]\n";
+  EXPECT_EQ(part(text, "0:2", "p.h5").code, 0);
+  const Outcome wrong = part(text, "1:3", "q.h5");
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("load.force = -1.0 (out of range)"));
+  EXPECT_FALSE(fs::exists(folder_ / "q.h5"));
 }
 
-TEST(SweepWorkers, AProcessThatDiesCostsItsCaseAlone) {
-  std::map<std::size_t, std::string> done, died;
-  app::WorkerCalls calls;
-  calls.make_solver = [] {
-    return [](std::size_t index) {
-      if (index % 5 == 3)
-        raise(SIGKILL);
-      if (index == 7)
-        _exit(9);
-      return std::to_string(index * index);
-    };
-  };
-  calls.done = [&](std::size_t index, std::string result) { done[index] = std::move(result); };
-  calls.failed = [&](std::size_t index, app::CaseFailure how, const std::string& reason) {
-    EXPECT_EQ(how, app::CaseFailure::died) << index;
-    died[index] = reason;
-  };
-  app::solve_in_processes({{0, 1, 2, 3, 4, 5}, {6, 7, 8, 9, 10, 11}, {12, 13}}, 2, calls);
-  ASSERT_EQ(died.size(), 4u);
-  for (const std::size_t index : {3, 8, 13})
-    EXPECT_THAT(died.at(index), HasSubstr("signal 9")) << index;
-  EXPECT_THAT(died.at(7), HasSubstr("code 9"));
-  ASSERT_EQ(done.size(), 10u);
-  for (const auto& [index, result] : done)
-    EXPECT_EQ(result, std::to_string(index * index));
-}
-
-/// The next case of the chunk is solved by the same process.
-TEST(SweepWorkers, WhatASolverThrowsComesBackByItsKind) {
-  using enum app::CaseFailure;
-  std::map<std::size_t, std::pair<app::CaseFailure, std::string>> failed;
-  std::size_t done = 0;
-  app::WorkerCalls calls;
-  calls.make_solver = [] {
-    return [](std::size_t index) {
-      if (index == 1)
-        throw InputError("Wrong", "one", "Mend it.");
-      if (index == 2)
-        throw ConvergenceError("Hard", "two", "Wait.");
-      if (index == 3)
-        throw Error("Full", "three", "Make room.");
-      if (index == 4)
-        throw std::bad_alloc();
-      return std::string("solved");
-    };
-  };
-  calls.done = [&](std::size_t, const std::string& result) { done += result == "solved"; };
-  calls.failed = [&](std::size_t index, app::CaseFailure how, const std::string& said) {
-    failed[index] = {how, said};
-  };
-  app::solve_in_processes({{0, 1, 2, 3, 4, 5}}, 1, calls);
-  EXPECT_EQ(done, 2u);
-  const decltype(failed) expected{{1, {refused, "Wrong (one) Mend it."}},
-                                  {2, {not_converged, "Hard (two) Wait."}},
-                                  {3, {fault, "Full (three) Make room."}},
-                                  {4, {fault, said_by(std::bad_alloc())}}};
-  EXPECT_EQ(failed, expected);
-}
-
-TEST(SweepWorkers, EachChunkBeginsAnew) {
-  std::map<std::size_t, std::string> done;
-  app::WorkerCalls calls;
-  calls.make_solver = [] { return [former = 0](std::size_t) mutable { return std::to_string(former++); }; };
-  calls.done = [&](std::size_t index, std::string result) { done[index] = std::move(result); };
-  calls.failed = [&](std::size_t index, app::CaseFailure, const std::string& reason) {
-    ADD_FAILURE() << index << reason;
-  };
-  app::solve_in_processes({{0, 1, 2}, {3, 4}, {5}, {6, 7}}, 2, calls);
-  const std::map<std::size_t, std::string> expected{{0, "0"}, {1, "1"}, {2, "2"}, {3, "0"},
-                                                    {4, "1"}, {5, "0"}, {6, "0"}, {7, "1"}};
-  EXPECT_EQ(done, expected);
+TEST_F(Sweep, TwoCannotWorkInOneFolder) {
+  const app::AskedSweep here = asked(cases);
+  const app::PartsFolder first(here, out());
+  const Outcome second = sweep(cases);
+  EXPECT_EQ(second.code, 2);
+  EXPECT_THAT(second.err, HasSubstr("is in use (another process writes it) Wait for it"));
 }
 
 /// Mirror images: what the right wheel bears at 2 mm, the left one bears at -2 mm.

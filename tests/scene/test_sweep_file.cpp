@@ -2,6 +2,7 @@
 
 #include "tests/base/message.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 namespace {
@@ -51,6 +52,38 @@ TEST(SweepFile, ARangeHasBothEndsAndRoundNumbers) {
   EXPECT_EQ(values("{ from = 3, to = 1, step = -1 }"), (std::vector<double>{3, 2, 1}));
   EXPECT_EQ(values("{ from = 1, to = 2, count = 5 }"), (std::vector<double>{1, 1.25, 1.5, 1.75, 2}));
   EXPECT_EQ(values("{ from = 1, to = 1.95, step = 0.5 }"), (std::vector<double>{1, 1.5})); // 2 is beyond
+}
+
+/// What other cases have is nothing to these.
+TEST(SweepFile, OnlySomeCasesAreChecked) {
+  const auto checked = [](const std::string& lists, CaseRange cases) {
+    const SweepFile sweep = parse_sweep_file(scene + lists);
+    return message_of([&] { check_values(sweep, cases); });
+  };
+  const std::string zip = "mode = \"zip\"\nload.force = [-1, 1e3, 2e3, -2]\nmotion.xi = [0, 0, 0, 0]\n";
+  EXPECT_EQ(checked(zip, {1, 3}), "no error");
+  EXPECT_THAT(checked(zip, {0, 2}), HasSubstr("load.force = -1"));
+  EXPECT_THAT(checked(zip, {2, 4}), HasSubstr("load.force = -2"));
+  // 0: -1, xi 0; 1: -1, xi 1e-3; 2: 1e3, xi 0 ...
+  const std::string product = "load.force = [-1, 1e3, -2]\nmotion.xi = [0, 1e-3]\n";
+  EXPECT_EQ(checked(product, {2, 4}), "no error");
+  EXPECT_EQ(checked(product, {3, 4}), "no error");
+  EXPECT_THAT(checked(product, {1, 4}), HasSubstr("load.force = -1"));
+  EXPECT_THAT(checked(product, {3, 5}), HasSubstr("load.force = -2"));
+  const std::string fast = "load.force = [1e3, 2e3]\nmotion.friction = [0.3, -1, 0.2]\n";
+  EXPECT_EQ(checked(fast, {2, 4}), "no error"); // 0.2 and, of the next force, 0.3
+  EXPECT_THAT(checked(fast, {2, 5}), HasSubstr("motion.friction = -1"));
+}
+
+TEST(SweepFile, FewCasesKeepTheirFields) {
+  const auto keeps = [](const std::string& lists) { return parse_sweep_file(scene + lists).keeps_fields(); };
+  const auto cases = [](int count) {
+    return fmt::format("load.force = {{ from = 1e3, to = 2e3, count = {} }}\n", count);
+  };
+  EXPECT_TRUE(keeps(cases(1000)));
+  EXPECT_FALSE(keeps(cases(1001)));
+  EXPECT_TRUE(keeps("fields = true\n" + cases(1001)));
+  EXPECT_FALSE(keeps("fields = false\n" + cases(2)));
 }
 
 /// A million scenes would take two minutes, without a word.

@@ -109,7 +109,9 @@ std::string describe_file(const std::filesystem::path& file) {
     return describe_influence(read_influence_file(file), std::filesystem::file_size(file));
   const record::Record top = record::from_h5(read_h5_top(file, "patches")); // a sweep's fields may be large
   if (const FileKind* kind = kind_of(record::text_at(top, "format").value_or("")))
-    return describe_record(kind == kind_of(sweep_format) ? without_cases(top) : record::read_hdf5(file),
+    return describe_record(kind == kind_of(sweep_format) || kind == kind_of(sweep_part_format)
+                               ? without_cases(top)
+                               : record::read_hdf5(file),
                            kind->title);
   throw InputError(fmt::format("'{}' is not a file of this project", file.string()),
                    "it is HDF5 and neither influence functions, nor plain numbers, nor a result, nor a sweep",

@@ -1,26 +1,29 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/output_names.hpp"
+#include "bem_contact/app/sweep/sweep_csv.hpp"
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
-#include "bem_contact/app/sweep/sweep_journal.hpp"
-#include "bem_contact/app/sweep/sweep_output.hpp"
-#include "bem_contact/app/sweep/sweep_share.hpp"
-#include "bem_contact/app/sweep/sweep_workers.hpp"
+#include "bem_contact/app/sweep/sweep_join.hpp"
+#include "bem_contact/app/sweep/sweep_on_cores.hpp"
+#include "bem_contact/app/sweep/sweep_table.hpp"
 #include "bem_contact/base/argument_error.hpp"
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
-#include "bem_contact/base/interrupt_note.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
+#include "bem_contact/profile/messages.hpp"
 #include "bem_contact/record/file_kinds.hpp"
-#include "bem_contact/record/hdf5.hpp"
-#include "bem_contact/sequence/result_file.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <fmt/format.h>
+#include <iterator>
+#include <limits>
 #include <memory>
-#include <utility>
+#include <optional>
 #include <vector>
 
 namespace bem_contact::app {
@@ -33,39 +36,71 @@ constexpr const char* sweep_help =
     position.lateral = { from = 6.2, to = 7.1, step = 0.05 }   # both ends included; or count = 19 for step
     load.force = [ 5e4, 1e5 ]
     mode = "product"        # the default: every value with every other; "zip": the lists side by side
-    fields = true           # the default; false: keep only the totals of each case
+    fields = true           # the default up to 1000 cases; false: keep only the totals of each case
 Example, 64 contacts from tread to flange:
     bem_contact sweep data/scenes/cases_halfspace.toml -o sweep.h5 --csv sweep.csv
-You should see the progress, then `64 certified, of 64 cases`. If the program is stopped, call it again: sweep.h5.part
-holds the finished cases, and only the others are solved. So is a case whose process died, as when memory ran out.
+You should see the progress, then `64 certified, of 64 cases`. If the program is stopped, call it again: the folder
+sweep.h5.parts holds the finished cases, and only the others are solved. So is a case whose process died, as when memory
+ran out.
 
-Machines that see the same folder can share the cases (tools/cluster/slurm_sweep). Join the shares when all are done:
-    bem_contact sweep SCENE.toml -o SWEEP.h5 --part 1/8        # ... --part 8/8
-    bem_contact sweep SCENE.toml -o SWEEP.h5 --merge
+On many machines, each solves some of the cases in a process of its own. Join these parts when they are there:
+    bem_contact sweep SCENE.toml --count                            # prints how many cases there are
+    bem_contact sweep SCENE.toml -o PARTS/a.h5 --cases 0:3200       # cases 0 to 3199
+    bem_contact sweep SCENE.toml -o PARTS/b.h5 --cases 3200:6400
+    bem_contact sweep SCENE.toml --join PARTS/*.h5 -o SWEEP.h5 --csv SWEEP.csv
 More, and wheelsets: data/tutorial/sweep.md, data/tutorial/wheelset.md.
 
-Exit code 0: every case is certified (of a share: every case of the share). 2: the input is wrong. 3: a case is missing
-or not certified.)";
+Exit code 0: every case is certified (--cases: the file is written). 2: the input is wrong. 3: a case is missing or not
+certified.)";
 
 struct SweepRequest {
   std::string scene, output, csv, model;
-  int jobs = 0;        ///< processes; 0: one for each core
-  std::string part;    ///< "2/8": the second of eight shares; "": all
-  bool merge = false;  ///< solve nothing: write what the shares have solved
-  bool strict = false; ///< a case with a warning is refused
+  int jobs = 0;                   ///< processes; 0: one for each core
+  std::string cases;              ///< "3200:6400"; "": all
+  std::vector<std::string> parts; ///< to be joined
+  bool count = false;             ///< solve nothing: say how many cases there are
+  bool strict = false;            ///< a case with a warning is refused
+  std::vector<std::string> gone;  ///< options of former versions
 
   /// What changes the results besides the scene.
   std::string options() const { return model + (strict ? " strict" : ""); }
 };
+
+[[noreturn]] void refuse_gone(const SweepRequest&) {
+  throw InputError(
+      "--part and --merge are gone", "a part of a sweep is now a command of its own",
+      "Solve some cases with -o PART.h5 --cases 0:3200, and join the parts with --join PARTS/*.h5; "
+      "tools/cluster does both.");
+}
+
+CaseRange range_of(const std::string& text, std::size_t cases) {
+  CaseRange range;
+  const char *at = text.data(), *end = at + text.size();
+  const auto first = std::from_chars(at, end, range.first);
+  const bool colon = first.ec == std::errc() && first.ptr != end && *first.ptr == ':';
+  const auto second = colon ? std::from_chars(first.ptr + 1, end, range.last) : first;
+  const auto refuse = [&](const std::string& why) {
+    throw InputError(fmt::format("--cases {} cannot be", text), why,
+                     fmt::format("Give two numbers from 0:1 to {}:{}.", cases - 1, cases));
+  };
+  if (!colon || second.ec != std::errc() || second.ptr != end)
+    refuse("it is not of the form 3200:6400, the cases 3200 to 6399");
+  if (range.first >= range.last)
+    refuse("there is no case in it");
+  if (range.last > cases)
+    refuse(fmt::format("the sweep has {}, from 0 on", counted(cases, "case", "cases")));
+  return range;
+}
 
 /// Whether the output is there with all cases, none of which died. Throws InputError if it is not a file of
 /// this sweep.
 bool is_complete(const std::filesystem::path& output, const std::string& digest) {
   if (!file_exists(output))
     return false;
+  std::optional<H5Reader> file;
   H5Table top;
   try {
-    top = read_h5_top(output);
+    top = file.emplace(output).attributes();
   } catch (const InputError&) {
   }
   const auto is = [&](const char* name, const std::string& value) {
@@ -75,158 +110,130 @@ bool is_complete(const std::filesystem::path& output, const std::string& digest)
     throw InputError(fmt::format("The output '{}' exists and is not of this sweep", output.string()),
                      is("format", sweep_format) ? digest_changed : "it was not made by bem_contact sweep",
                      "Give another output, or remove the file.");
-  const auto none = [&](const char* name) {
-    const auto found = top.datasets.find(name);
-    return found != top.datasets.end() && found->second.values == std::vector<double>{0};
-  };
+  const auto none = [&](const char* name) { return file->number(name) == 0; };
   return none("missing_count") && none("died_count");
 }
 
-CaseRecord solved(SweepSolver& solver, const SweepFile& sweep, std::size_t index,
-                  const SweepRequest& request) {
-  H5Table fields;
-  SweepOptions options{.model = request.model, .strict = request.strict};
-  if (sweep.fields)
-    options.seen = [&](const std::string& group, const SceneResult& result) {
-      add_group(fields, group, record::to_h5(case_record(result)));
-    };
-  return {solve_case(solver, sweep, index, options), std::move(fields)};
-}
-
-/// Here, so that messages about them come once and not from each process.
-void read_first_profiles(const SweepFile& sweep, SequenceFiles& files) {
-  try {
-    if (const SceneFile first = sweep.scene(0); first.kind == SceneKind::wheel_rail)
-      read_profiles(first, files);
-  } catch (const InputError&) { // the cases say it
-  }
-}
-
-void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Share& share,
-                   SweepJournal& journal, SweepOutput& output) {
-  const std::vector<Chunk> chunks = chunks_of(output, sweep.size(), share);
-  std::size_t cases = 0;
-  for (const Chunk& chunk : chunks)
-    cases += chunk.size();
-  if (cases == 0)
-    return;
-  Progress progress("cases", cases);
-  InterruptNote note("cases", fmt::format("Give the same command again to go on: '{}' holds them.",
-                                          journal_name(request.output, share.part, share.parts).string()));
-  std::size_t done = 0;
-  note.done(done, cases);
-  const auto keep = [&](const CaseRecord& record, const std::string& bytes) {
-    journal.append(bytes);
-    output.add(record);
-    progress.step();
-    note.done(++done, cases);
-  };
-  WorkerCalls calls;
-  const auto files = shared_files(); // each worker fills its own copy
-  read_first_profiles(sweep, *files);
-  calls.make_solver = [&]() -> CaseSolver {
-    const auto solver = std::make_shared<SweepSolver>(files, sweep.fields);
-    return [&, solver](std::size_t index) { return to_bytes(solved(*solver, sweep, index, request)); };
-  };
-  calls.done = [&](std::size_t, std::string bytes) { keep(from_bytes(bytes), bytes); };
-  calls.failed = [&](std::size_t index, CaseFailure, const std::string& reason) {
-    const CaseRecord record{{.index = index, .status = CaseStatus::died, .reason = reason}};
-    keep(record, to_bytes(record));
-  };
-  solve_in_processes(chunks, request.jobs, calls);
-  progress.finish();
-}
-
-/// From the journals, case by case: fields need not fit into memory.
-void write_file(const std::filesystem::path& file, const std::vector<std::filesystem::path>& journals,
-                const std::string& digest, const SweepOutput& output, const GivenScene& given) {
-  const std::size_t cases = output.size();
-  H5Writer writer(file);
-  std::vector<char> written(cases, 0);
-  for (const std::filesystem::path& journal : journals)
-    read_journal(journal, digest, [&](const CaseRecord& record) {
-      // A later run may have solved what died.
-      if (record.index >= cases || record.status != output.status(record.index) ||
-          std::exchange(written[record.index], 1))
-        return;
-      writer.add(group_of(record));
-    });
-  H5Table top = output.top();
-  add_group(top, "", record::to_h5(headed(sweep_format, given, file)));
-  writer.add(top);
-  writer.finish();
-}
-
 void check_outputs(const SweepFile& sweep, const SweepRequest& request,
-                   const std::filesystem::path& own_journal) {
+                   std::vector<std::filesystem::path> inputs) {
   if (!request.csv.empty())
     require_csv_texts(sweep);
   const CsvFiles csv = csv_files(request.csv);
-  require_named_outputs(files_read(request.scene, sweep),
-                        {{"--output", request.output, OutputForm::whole_file, true},
-                         {"--output", own_journal, OutputForm::whole_file},
-                         {"--csv", request.csv},
-                         {"--csv", csv.patches},
-                         {"--csv", csv.units}});
+  std::ranges::copy(files_read(request.scene, sweep), std::back_inserter(inputs));
+  require_named_outputs(inputs, {{"--output", request.output, OutputForm::whole_file, true},
+                                 {"--csv", request.csv},
+                                 {"--csv", csv.patches},
+                                 {"--csv", csv.units}});
 }
 
-/// What is known from all journals, after this process has solved its part of the rest.
-SweepOutput results_of(const SweepFile& sweep, const SweepColumns& columns, const SweepRequest& request,
-                       const Share& share, const std::filesystem::path& own_journal,
-                       const std::string& digest) {
-  SweepOutput results(sweep, columns, digest);
-  const auto add = [&](const CaseRecord& record) { results.add(record); };
-  for (const std::filesystem::path& journal : journals_of(request.output))
-    if (request.merge || journal != own_journal)
-      read_journal(journal, digest, add);
-  if (!request.merge) {
-    SweepJournal journal(own_journal, digest, add);
-    if (!journal.warning().empty())
-      warn({journal.warning()});
-    solve_missing(sweep, request, share, journal, results);
-  }
-  return results;
+AskedSweep asked_sweep(const SweepRequest& request, SweepFile sweep) {
+  AskedSweep asked{request.scene, std::move(sweep), request.model, request.strict};
+  asked.digest = digest_of(asked.sweep, request.options());
+  return asked;
 }
 
-void remove_journals(const std::filesystem::path& output) {
-  for (const std::filesystem::path& journal : journals_of(output))
-    std::filesystem::remove(journal);
+/// Says it where it is decided: not in each part.
+void say_what_is_kept(const SweepFile& sweep) {
+  if (!sweep.fields && !sweep.keeps_fields())
+    messages()->info(
+        "of {} cases only the totals are kept: fields = true in [sweep] keeps the fields, some 0.2 MB "
+        "a case",
+        sweep.size());
 }
 
-/// Solves the cases that are not solved yet and writes them into one file (sweep_output.hpp). A share writes
-/// only its journal (sweep_journal.hpp); --merge makes the file of all journals. Throws InputError for wrong
-/// input, an output of another sweep, or files that cannot be written. What is wrong with one case is in its
-/// record.
-SweepSummary run_sweep(const SweepRequest& request) {
-  const SweepFile sweep = read_sweep_file(request.scene);
-  const Share share = share_of(request.part);
-  check_values(sweep);
-  const SweepColumns& columns = columns_of(sweep);
-  const std::filesystem::path output = request.output;
-  const std::filesystem::path own_journal = journal_name(output, share.part, share.parts);
-  check_outputs(sweep, request, own_journal);
-  const std::string digest = digest_of(sweep, request.options());
-  std::string head;
-  if (is_complete(output, digest)) {
-    head = fmt::format("'{}' is complete: nothing was solved\n", output.string());
-    for (const std::filesystem::path& journal : journals_of(output)) // a kill left it after the file was done
-      if (read_journal(journal, digest, [](const CaseRecord&) {}) > 0)
-        std::filesystem::remove(journal);
-  } else {
-    const GivenScene given = given_sweep(sweep, request.model);
-    const SweepOutput results = results_of(sweep, columns, request, share, own_journal, digest);
-    if (share.parts > 1)
-      return summary_of(
-          results.top(), share,
-          fmt::format("share {} of {} is solved: --merge makes the file of all\n", share.part, share.parts));
-    write_file(output, journals_of(output), digest, results, given);
-    if (results.count(CaseStatus::missing) == 0 && results.count(CaseStatus::died) == 0)
-      remove_journals(output);
-  }
-  const H5Table top = read_sweep_top(output, sweep, columns);
+/// What the file says, which all of these print; and its CSV files.
+ExitCode say_what_was_found(const AskedSweep& asked, const SweepRequest& request, const std::string& head) {
+  const H5Reader file(request.output);
+  require_table(file, asked.columns(), asked.sweep.size());
   if (!request.csv.empty())
-    write_csv(csv_files(request.csv), sweep, columns, top);
-  return summary_of(top, share, head);
+    write_csv(csv_files(request.csv), asked.sweep, asked.columns(), file);
+  const SweepSummary summary = sweep_summary(file, asked.sweep.size(), head);
+  fmt::print("{}", summary.text);
+  return summary.certified ? success : no_convergence;
+}
+
+/// Some cases, in this process.
+ExitCode run_part(const SweepRequest& request, SweepFile sweep) {
+  const CaseRange cases = range_of(request.cases, sweep.size());
+  check_outputs(sweep, request, {});
+  check_values(sweep, cases);
+  const AskedSweep asked = asked_sweep(request, std::move(sweep));
+  Progress progress("cases", cases.size());
+  solve_part(asked, cases, shared_files(), output_target(request.output, OutputForm::whole_file).file,
+             std::numeric_limits<double>::infinity(), [&] { progress.step(); });
+  progress.finish();
+  fmt::print("{}", sweep_summary(
+                       H5Reader(request.output), cases.size(),
+                       fmt::format("cases {} to {} of {}: ", cases.first, cases.last - 1, asked.sweep.size()))
+                       .text);
+  return success;
+}
+
+/// In quotes for a shell.
+std::string shell_word(const std::string& word) {
+  std::string out = "'";
+  for (const char c : word)
+    c == '\'' ? out.append("'\\''") : out.append(1, c);
+  return out + "'";
+}
+
+/// With the command that solves each.
+void print_missing(const SweepRequest& request, const std::vector<CaseRange>& missing) {
+  if (!missing.empty())
+    fmt::print("These commands solve the cases that are missing:\n");
+  for (const CaseRange& cases : missing)
+    fmt::print("    bem_contact sweep {} -o cases_{}_{}.h5 --cases {}:{}{}{}\n", shell_word(request.scene),
+               cases.first, cases.last, cases.first, cases.last,
+               request.model.empty() ? "" : " --model " + request.model, request.strict ? " --strict" : "");
+}
+
+ExitCode run_join(const SweepRequest& request, SweepFile sweep) {
+  const std::vector<std::filesystem::path> names(request.parts.begin(), request.parts.end());
+  check_outputs(sweep, request, names);
+  say_what_is_kept(sweep);
+  const AskedSweep asked = asked_sweep(request, std::move(sweep));
+  const std::vector<SweepPart> parts = read_parts(asked, names);
+  join(asked, parts, {}, request.output);
+  const ExitCode code = say_what_was_found(asked, request, "");
+  print_missing(request, missing_ranges(parts, asked.sweep.size()));
+  return code;
+}
+
+/// All cases that are not solved yet, on this machine.
+ExitCode run_all(const SweepRequest& request, SweepFile sweep) {
+  check_outputs(sweep, request, {});
+  check_values(sweep);
+  const AskedSweep asked = asked_sweep(request, std::move(sweep));
+  const PartsFolder folder(asked, request.output);
+  std::string head;
+  if (is_complete(request.output, asked.digest)) {
+    head = fmt::format("'{}' is complete: nothing was solved\n", request.output);
+    folder.clear(); // a kill left them after the file was done
+  } else {
+    say_what_is_kept(asked.sweep);
+    const SolvedParts solved = solve_on_cores(folder, request.jobs, part_solver(asked));
+    if (solved.code != 0)
+      return static_cast<ExitCode>(solved.code);
+    join(asked, folder.parts(), solved.died, request.output);
+    if (solved.died.empty())
+      folder.clear();
+  }
+  return say_what_was_found(asked, request, head);
+}
+
+ExitCode run_sweep(const SweepRequest& request) {
+  if (!request.gone.empty())
+    refuse_gone(request);
+  SweepFile sweep = read_sweep_file(request.scene);
+  if (request.count) {
+    fmt::print("{}\n", sweep.size());
+    return success;
+  }
+  if (request.output.empty())
+    throw CLI::RequiredError("--output");
+  if (!request.cases.empty())
+    return run_part(request, std::move(sweep));
+  return request.parts.empty() ? run_all(request, std::move(sweep)) : run_join(request, std::move(sweep));
 }
 
 } // namespace
@@ -236,21 +243,27 @@ Command add_sweep(CLI::App& program) {
   SweepRequest& r = *request;
   CLI::App* line = program.add_subcommand("sweep", "Solve a scene for lists or ranges of any of its keys");
   line->add_option("scene", r.scene, "Scene file (TOML) with a table [sweep]")->required();
-  add_output_option(*line, "-o,--output", r.output, "File of all cases (HDF5)")->required();
-  add_output_option(*line, "--csv", r.csv,
-                    "S.csv: a line for each case; beside it S_patches.csv with a line for each patch, and "
-                    "S_units.csv with unit and meaning of each column");
+  add_output_option(*line, "-o,--output", r.output, "File of all cases (HDF5)");
+  CLI::Option* csv = add_output_option(
+      *line, "--csv", r.csv,
+      "S.csv: a line for each case; beside it S_patches.csv with a line for each patch, and "
+      "S_units.csv with unit and meaning of each column");
   add_model(*line, r.model);
   line->add_flag("--strict", r.strict, "Count a case with a warning as refused, and keep no result of it");
   add_jobs(*line, r.jobs);
-  CLI::Option* part = line->add_option("--part", r.part, "I/N: solve the I-th of N shares");
-  line->add_flag("--merge", r.merge, "Solve nothing; join what the shares have solved")->excludes(part);
+  CLI::Option* jobs = line->get_option("--jobs");
+  line->add_flag("--count", r.count, "Solve nothing; print how many cases there are");
+  CLI::Option* cases =
+      line->add_option("--cases", r.cases,
+                       "A:B: solve the cases A to B - 1 (the first is 0) in this process, and write a part");
+  cases->excludes(jobs)->excludes(csv);
+  line->add_option("--join", r.parts,
+                   "Solve nothing; make the file of all from these parts, or from all in a folder")
+      ->excludes(cases)
+      ->excludes(jobs);
+  line->add_option("--part,--merge", r.gone)->expected(0, 1)->group(""); // hidden
   line->footer(sweep_help);
-  return {line, [request] {
-            const SweepSummary summary = run_sweep(*request);
-            fmt::print("{}", summary.text);
-            return summary.certified ? success : no_convergence;
-          }};
+  return {line, [request] { return run_sweep(*request); }};
 }
 
 } // namespace bem_contact::app

@@ -57,14 +57,6 @@ struct WearArguments {
   }
 };
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed)
-    throw InputError(fmt::format("The folder '{}' cannot be made", folder.string()), failed.message(),
-                     "Give another one.");
-}
-
 void print_step(const wear::WearRow& row) {
   fmt::print("step {:g}: {:.4g} km, rail {:.4f} mm deep, {:.4f} mm2; wheel {:.4f} mm deep, {:.4f} mm2; "
              "smoothed at {:.2f} mm, {:.1f} % off the deepest place\n",

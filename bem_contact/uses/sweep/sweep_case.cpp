@@ -13,6 +13,7 @@
 #include <ctime>
 #include <fmt/format.h>
 #include <new>
+#include <optional>
 
 namespace bem_contact {
 
@@ -59,14 +60,8 @@ SweepCase case_of(const WheelsetResult& result, const SweepOptions& options) {
   return out;
 }
 
-} // namespace
-
-std::size_t chunk_size(std::size_t cases) {
-  return std::clamp(cases / chunks_of_a_sweep, smallest_chunk, largest_chunk);
-}
-
-SweepCase solve_case(SweepSolver& solver, const SweepFile& sweep, std::size_t index,
-                     const SweepOptions& options) {
+SweepCase solve_case(Sequence& sequence, const SweepFile& sweep, std::size_t index,
+                     const SweepOptions& options, const std::shared_ptr<SequenceFiles>& files) {
   const Stopwatch watch;
   const std::clock_t cpu = std::clock();
   SweepCase out;
@@ -80,8 +75,8 @@ SweepCase solve_case(SweepSolver& solver, const SweepFile& sweep, std::size_t in
         say(found, warning);
       return found;
     };
-    out = scene.wheelset.force ? kept(solve_wheelset(scene, options.stop, solver.files))
-                               : kept(solver.sequence.solve(scene, options.stop));
+    out = scene.wheelset.force ? kept(solve_wheelset(scene, options.stop, files))
+                               : kept(sequence.solve(scene, options.stop));
   } catch (const Stopped&) {
     throw;
   } catch (const InputError& error) {
@@ -95,6 +90,24 @@ SweepCase solve_case(SweepSolver& solver, const SweepFile& sweep, std::size_t in
   out.seconds = watch.seconds();
   out.cpu_seconds = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
   return out;
+}
+
+} // namespace
+
+std::size_t chunk_size(std::size_t cases) {
+  return std::clamp(cases / chunks_of_a_sweep, smallest_chunk, largest_chunk);
+}
+
+void solve_cases(const SweepFile& sweep, CaseRange cases, const SweepOptions& options,
+                 const std::shared_ptr<SequenceFiles>& files, const std::function<bool(SweepCase)>& kept) {
+  const std::size_t chunk = chunk_size(sweep.size());
+  std::optional<Sequence> sequence;
+  for (std::size_t i = cases.first; i < cases.last; ++i) {
+    if (!sequence || i % chunk == 0)
+      sequence.emplace(SequenceOptions{.displacements = options.displacements}, files);
+    if (!kept(solve_case(*sequence, sweep, i, options, files)))
+      return;
+  }
 }
 
 } // namespace bem_contact

@@ -39,31 +39,25 @@ struct SweepCase {
 };
 
 /// How many cases make a chunk. A chunk starts cold, and its cases start from each other. The chunks depend
-/// on nothing but the number of cases, so results do not depend on who shares the work.
+/// on nothing but the number of cases of the sweep.
 std::size_t chunk_size(std::size_t cases);
-
-/// What the cases of one chunk share.
-struct SweepSolver {
-  std::shared_ptr<SequenceFiles> files; ///< of other chunks, too
-  Sequence sequence;                    ///< solves contacts
-
-  /// `displacements`: results hold them, for fields.
-  explicit SweepSolver(std::shared_ptr<SequenceFiles> shared, bool displacements = false)
-      : files(std::move(shared)), sequence({.displacements = displacements}, files) {}
-};
 
 /// How cases are solved.
 struct SweepOptions {
-  std::string model = {}; ///< instead of the scene's own; "": that
-  bool strict = false;    ///< a case with a warning is refused
+  std::string model = {};     ///< instead of the scene's own; "": that
+  bool strict = false;        ///< a case with a warning is refused
+  bool displacements = false; ///< results hold them, for fields
   /// Called with each result that is kept, before it is gone: `group` is "", or "right/" and "left/" of the
   /// wheels of a wheelset.
   std::function<void(const std::string& group, const SceneResult&)> seen = {};
   const std::atomic<bool>* stop = nullptr; ///< as Sequence::solve()
 };
 
-/// Solves a case. What is wrong with it is in its record; throws Stopped alone.
-SweepCase solve_case(SweepSolver& solver, const SweepFile& sweep, std::size_t index,
-                     const SweepOptions& options);
+/// Solves cases one after the other, each from what was learnt of those before. The first starts cold, and so
+/// does the first of each chunk. So what is found does not depend on how a sweep is cut, if it is cut between
+/// chunks. `kept` gets each case, with what is wrong with it, and says whether to go on. Throws Stopped, and
+/// what `kept` does.
+void solve_cases(const SweepFile& sweep, CaseRange cases, const SweepOptions& options,
+                 const std::shared_ptr<SequenceFiles>& files, const std::function<bool(SweepCase)>& kept);
 
 } // namespace bem_contact

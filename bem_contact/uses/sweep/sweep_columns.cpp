@@ -117,12 +117,11 @@ SweepNumbers numbers_of(std::span<const SweepCase> cases, const SweepColumns& co
   SweepNumbers out;
   out.cases.resize(columns.cases.size());
   out.patches.resize(columns.patches.size());
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    const SweepCase& one = cases[i];
+  for (const SweepCase& one : cases) {
     for (std::size_t k = 0; k < out.cases.size(); ++k)
       out.cases[k].push_back(one.summary.empty() ? std::nan("") : one.summary.at(k));
     for (std::size_t patch = 0; patch < one.patches.size(); ++patch) {
-      out.patch_case.push_back(i);
+      out.patch_case.push_back(one.index);
       out.patch_rank.push_back(patch + 1);
       for (std::size_t k = 0; k < out.patches.size(); ++k)
         out.patches[k].push_back(one.patches[patch].at(k));

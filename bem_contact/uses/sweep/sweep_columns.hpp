@@ -43,7 +43,7 @@ struct SweepNumbers {
   std::vector<std::size_t> patch_rank;      ///< [patch]: 1: the largest force of its case
   std::vector<std::vector<double>> patches; ///< [column][patch]
 };
-/// `cases`: all of a sweep, in their order.
+/// `cases`: of a sweep, in their order.
 SweepNumbers numbers_of(std::span<const SweepCase> cases, const SweepColumns& columns);
 
 } // namespace bem_contact

@@ -1,0 +1,70 @@
+#include "bem_contact/app/sweep/child_processes.hpp"
+
+#include "bem_contact/base/error.hpp"
+
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fmt/format.h>
+#include <thread>
+
+namespace bem_contact::app {
+
+std::size_t processes_of(int jobs) {
+  return jobs > 0 ? static_cast<std::size_t>(jobs) : std::max(1U, std::thread::hardware_concurrency());
+}
+
+ChildProcesses::~ChildProcesses() {
+  for (const auto& [process, started] : started_)
+    kill(process, SIGKILL);
+  for (const auto& [process, started] : started_)
+    while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
+    }
+}
+
+void ChildProcesses::start(CaseRange cases, const std::function<int()>& work) {
+  const pid_t parent = getpid(), process = fork();
+  if (process < 0) // never kept: kill(-1) would end every process of the user
+    throw Error("No process to solve cases can be started", std::strerror(errno),
+                "Give a smaller --jobs, or end other programs.");
+  if (process == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent)
+      _exit(1);
+    close_range(STDERR_FILENO + 1, ~0U, 0); // above all the lock, which must end with its owner
+    _exit(work());
+  }
+  started_[process] = {cases, Clock::now()};
+}
+
+EndOfChild ChildProcesses::wait() {
+  for (;;) {
+    int status = 0;
+    const pid_t process = waitpid(-1, &status, 0);
+    const auto found = started_.find(process);
+    if (process < 0 && errno != EINTR) {
+      started_.clear(); // somebody else has waited for them
+      throw Error("A process that solves cases was lost", std::strerror(errno),
+                  "Give the same command again.");
+    }
+    if (found == started_.end())
+      continue;
+    const auto [cases, at] = found->second;
+    started_.erase(found);
+    const double seconds = std::chrono::duration<double>(Clock::now() - at).count();
+    if (WIFSIGNALED(status))
+      return {cases, -1,
+              fmt::format("the process that solved it was ended by signal {} ({})", WTERMSIG(status),
+                          strsignal(WTERMSIG(status))),
+              seconds};
+    const int code = WEXITSTATUS(status);
+    return {cases, code, fmt::format("the process that solved it ended with code {}", code), seconds};
+  }
+}
+
+} // namespace bem_contact::app

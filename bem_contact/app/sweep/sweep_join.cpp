@@ -1,0 +1,158 @@
+#include "bem_contact/app/sweep/sweep_join.hpp"
+
+#include "bem_contact/app/sweep/sweep_inputs.hpp"
+#include "bem_contact/app/sweep/sweep_table.hpp"
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/hdf5.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <functional>
+
+namespace bem_contact::app {
+
+namespace {
+
+/// Cases without a result that are written at once.
+constexpr std::size_t missing_at_once = 8192;
+
+using LineReader = std::function<std::vector<double>(const std::string& name, std::size_t count)>;
+
+/// A sweep's file while it grows.
+class Joined {
+public:
+  Joined(const AskedSweep& asked, const std::filesystem::path& output, std::size_t patches)
+      : asked_(asked), writer_(output) {
+    const H5Table form = table_of(asked.sweep, asked.columns(), missing_cases({0, 1}));
+    for (const auto& [name, data] : form.datasets) {
+      names_.push_back(name);
+      writer_.add_line(name, name.starts_with(patch_group) ? patches : asked.sweep.size(), data.unit,
+                       data.description);
+    }
+  }
+
+  void add(const SweepPart& part) {
+    const H5Reader file(part.file);
+    add_lines(part, [&](const std::string& name, std::size_t count) {
+      file.require(name, count);
+      return file.line(name, 0, count);
+    });
+    const std::set<std::string> groups = file.members("cases");
+    for (std::size_t i = part.cases.first; !groups.empty() && i < part.cases.last; ++i)
+      if (const std::string group = group_of_case(i); groups.contains(group.substr(group.find('/') + 1)))
+        add_members(group, file.group(group));
+  }
+
+  /// Cases that have none.
+  void add(CaseRange cases, const DiedCases& died) {
+    for (std::size_t first = cases.first; first < cases.last; first += missing_at_once) {
+      const CaseRange some{first, std::min(cases.last, first + missing_at_once)};
+      std::vector<SweepCase> empty = missing_cases(some);
+      for (auto one = died.lower_bound(some.first); one != died.end() && one->first < some.last; ++one) {
+        empty[one->first - some.first].status = CaseStatus::died;
+        H5Table reason;
+        reason.attributes["reason"] = one->second;
+        add_members(group_of_case(one->first), reason);
+      }
+      const H5Table table = table_of(asked_.sweep, asked_.columns(), empty);
+      add_lines({{}, some},
+                [&](const std::string& name, std::size_t) { return table.datasets.at(name).values; });
+    }
+  }
+
+  void finish(const std::filesystem::path& output) {
+    H5Table top = record::to_h5(headed(sweep_format, given_sweep(asked_.sweep, asked_.model), output));
+    top.attributes["digest"] = asked_.digest;
+    add_counts(top, counts_);
+    writer_.add(top);
+    writer_.finish();
+  }
+
+private:
+  void add_lines(const SweepPart& part, const LineReader& read) {
+    for (const std::string& name : names_) {
+      const bool of_patches = name.starts_with(patch_group);
+      const std::vector<double> values = read(name, of_patches ? part.patches : part.cases.size());
+      if (name == "status")
+        count(values, part);
+      if (name == std::string(patch_group) + "case")
+        require_within(part.cases, values, name, part.file);
+      writer_.put(name, of_patches ? patches_ : part.cases.first, values);
+    }
+    patches_ += part.patches;
+  }
+
+  void count(const std::vector<double>& status, const SweepPart& part) {
+    require_within({0, counts_.size()}, status, "status", part.file);
+    for (const double one : status)
+      ++counts_[static_cast<std::size_t>(one)];
+  }
+
+  void add_members(const std::string& group, const H5Table& members) {
+    H5Table table;
+    add_group(table, group + "/", members);
+    writer_.add(table);
+  }
+
+  const AskedSweep& asked_;
+  H5Writer writer_;
+  std::vector<std::string> names_;
+  std::size_t patches_ = 0; ///< rows that are written
+  std::array<std::size_t, EnumNames<CaseStatus>::names.size()> counts_{};
+};
+
+} // namespace
+
+std::vector<SweepPart> read_parts(const AskedSweep& asked, const std::vector<std::filesystem::path>& names) {
+  std::vector<SweepPart> parts;
+  for (const std::filesystem::path& name : names)
+    if (!std::filesystem::is_directory(name))
+      parts.push_back(read_part(asked, name));
+    else
+      for (const auto& entry : std::filesystem::directory_iterator(name))
+        if (entry.path().extension() == ".h5" && is_regular(entry.path()))
+          parts.push_back(read_part(asked, entry.path()));
+  std::ranges::sort(parts, {}, [](const SweepPart& part) { return part.cases.first; });
+  for (std::size_t k = 1; k < parts.size(); ++k)
+    if (parts[k].cases.first < parts[k - 1].cases.last)
+      throw InputError(fmt::format("Two parts of the sweep have case {}", parts[k].cases.first),
+                       fmt::format("'{}' and '{}'", parts[k - 1].file.string(), parts[k].file.string()),
+                       "Leave out one of them.");
+  return parts;
+}
+
+std::vector<CaseRange> missing_ranges(const std::vector<SweepPart>& parts, std::size_t cases) {
+  std::vector<CaseRange> out;
+  std::size_t next = 0;
+  const auto add_until = [&](std::size_t end) {
+    if (next < end)
+      out.push_back({next, end});
+  };
+  for (const SweepPart& part : parts) {
+    add_until(part.cases.first);
+    next = part.cases.last;
+  }
+  add_until(cases);
+  return out;
+}
+
+void join(const AskedSweep& asked, const std::vector<SweepPart>& parts, const DiedCases& died,
+          const std::filesystem::path& output) {
+  std::size_t patches = 0;
+  for (const SweepPart& part : parts)
+    patches += part.patches;
+  Joined joined(asked, output, patches);
+  std::size_t next = 0;
+  for (const SweepPart& part : parts) { // rows of patches are in the order of their cases
+    joined.add({next, part.cases.first}, died);
+    joined.add(part);
+    next = part.cases.last;
+  }
+  joined.add({next, asked.sweep.size()}, died);
+  joined.finish(output);
+}
+
+} // namespace bem_contact::app

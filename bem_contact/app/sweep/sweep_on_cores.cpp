@@ -1,0 +1,262 @@
+#include "bem_contact/app/sweep/sweep_on_cores.hpp"
+
+#include "bem_contact/app/command.hpp"
+#include "bem_contact/app/settings.hpp"
+#include "bem_contact/app/sweep/child_processes.hpp"
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/interrupt_note.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/progress.hpp"
+#include "bem_contact/base/said_by.hpp"
+#include "bem_contact/sequence/shared_files.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <fmt/format.h>
+#include <fstream>
+#include <new>
+#include <numeric>
+#include <ostream>
+#include <random>
+#include <spdlog/spdlog.h>
+
+namespace bem_contact::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* lock_name = "lock";
+constexpr const char* size_name = "size"; ///< of the file that says how many cases a part has
+constexpr int out_of_memory = 64;         ///< exit code of a child; none of ExitCode
+
+/// Whether a file of the folder has a name of ours: "000012.h5", or that of one that is not finished,
+/// "000012.h5.tmp77".
+bool is_numbered(const fs::path& file) {
+  const std::string name = file.filename().string();
+  const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+  return digits > 0 && name.compare(digits, 3, ".h5") == 0;
+}
+
+/// Always in the same order.
+std::vector<std::size_t> scrambled(std::size_t count) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::shuffle(order, std::mt19937_64());
+  return order;
+}
+
+/// Here, so that messages about them come once and not from each process.
+std::shared_ptr<SequenceFiles> files_of_first_case(const AskedSweep& asked) {
+  const auto files = shared_files(); // each child fills its own copy
+  try {
+    if (const SceneFile first = asked.sweep.scene(0); first.kind == SceneKind::wheel_rail)
+      read_profiles(first, *files);
+  } catch (const InputError&) { // the cases say it
+  }
+  return files;
+}
+
+/// In a child: says what is wrong, because nobody else can.
+int exit_code_of(const std::function<void()>& work) {
+  try {
+    work();
+    return success;
+  } catch (const std::bad_alloc&) {
+    return out_of_memory;
+  } catch (const InputError& error) {
+    spdlog::error("{}", error.what());
+    return wrong_input;
+  } catch (const std::exception& error) {
+    spdlog::error("{}", error.what());
+    return unforeseen;
+  }
+}
+
+class Run {
+public:
+  Run(const PartsFolder& folder, int jobs, const PartSolver& solver)
+      : folder_(folder), jobs_(processes_of(jobs)), taken_(folder.asked().sweep.size(), false),
+        part_size_(std::min(folder.size(), taken_.size())), solver_(solver) {
+    for (const SweepPart& part : folder_.parts())
+      take(part.cases);
+  }
+
+  SolvedParts solve() {
+    if (const auto open = static_cast<std::size_t>(std::ranges::count(taken_, false)); open > 0)
+      solve(open);
+    return std::move(out_);
+  }
+
+private:
+  void solve(std::size_t open) {
+    Progress progress("cases", open);
+    InterruptNote note("cases", fmt::format("Give the same command again to go on: '{}' holds them.",
+                                            folder_.folder().string()));
+    ChildProcesses children;
+    note.done(0, open);
+    plan();
+    for (std::size_t done = 0; out_.code == 0;) {
+      while (children.size() < jobs_ && !orders_.empty()) {
+        children.start(orders_.front(), work(orders_.front()));
+        orders_.pop_front();
+      }
+      if (children.size() == 0)
+        break;
+      const std::size_t more = close(children.wait());
+      progress.step(more);
+      note.done(done += more, open);
+      if (orders_.empty() && (part_size_ > 0 || children.size() == 0))
+        plan();
+    }
+    if (out_.code == 0)
+      progress.finish();
+  }
+
+  std::function<int()> work(CaseRange cases) const {
+    return [this, cases] { return exit_code_of([&] { solver_(cases, folder_.file(cases.first)); }); };
+  }
+
+  void take(CaseRange cases) {
+    std::fill(taken_.begin() + static_cast<std::ptrdiff_t>(cases.first),
+              taken_.begin() + static_cast<std::ptrdiff_t>(cases.last), true);
+  }
+
+  /// Orders parts that nobody has taken. Where their size is not known yet, one chunk for each process.
+  void plan() {
+    const std::size_t cases = taken_.size(), chunk = chunk_size(cases),
+                      size = part_size_ > 0 ? part_size_ : chunk;
+    for (const std::size_t number : scrambled((cases + size - 1) / size)) {
+      const std::size_t last = std::min(cases, (number + 1) * size);
+      for (std::size_t i = number * size; i < last; ++i) {
+        if (taken_[i])
+          continue;
+        CaseRange run{i, i};
+        while (run.last < last && !taken_[run.last])
+          ++run.last;
+        take(run);
+        orders_.push_back(run);
+        i = run.last;
+        if (part_size_ == 0 && orders_.size() >= jobs_)
+          return;
+      }
+    }
+  }
+
+  /// How many cases are done with it.
+  std::size_t close(const EndOfChild& end) {
+    if (end.code == success) {
+      const CaseRange solved = read_part(folder_.asked(), folder_.file(end.cases.first)).cases;
+      choose_size(end, solved.size());
+      order_singly({solved.last, end.cases.last});
+      return solved.size();
+    }
+    if (end.code == unforeseen || end.code == wrong_input) {
+      out_.code = end.code;
+      return 0;
+    }
+    if (end.cases.size() > 1) {
+      order_singly(end.cases);
+      return 0;
+    }
+    out_.died[end.cases.first] = end.code == out_of_memory ? said_by(std::bad_alloc()) : end.how;
+    return 1;
+  }
+
+  void order_singly(CaseRange cases) {
+    for (std::size_t i = cases.last; i > cases.first; --i)
+      orders_.push_front({i - 1, i});
+  }
+
+  void choose_size(const EndOfChild& end, std::size_t solved) {
+    if (part_size_ > 0)
+      return;
+    const std::size_t chunk = chunk_size(taken_.size()),
+                      most = taken_.size() / (chunk * parts_of_a_process * jobs_);
+    const double chunks = part_seconds / (end.seconds / double(solved) * double(chunk));
+    part_size_ =
+        solved < end.cases.size()
+            ? 1
+            : chunk * std::clamp<std::size_t>(static_cast<std::size_t>(std::min(chunks, double(most))), 1,
+                                              std::max<std::size_t>(most, 1));
+    folder_.keep_size(part_size_);
+  }
+
+  const PartsFolder& folder_;
+  std::size_t jobs_;
+  std::vector<bool> taken_; ///< cases that are in a part or in an order
+  std::size_t part_size_;   ///< cases; 0: not known yet
+  std::deque<CaseRange> orders_;
+  const PartSolver& solver_;
+  SolvedParts out_;
+};
+
+} // namespace
+
+PartsFolder::PartsFolder(const AskedSweep& asked, const fs::path& output)
+    : asked_(asked), folder_(output_target(output, OutputForm::whole_file).file.string() + ".parts") {
+  make_folder(folder_);
+  lock_.emplace(folder_ / lock_name, "Wait for it, or give another output.");
+  if (!lock_->warning().empty())
+    warn({lock_->warning()});
+  remove_unfinished();
+}
+
+PartsFolder::~PartsFolder() {
+  lock_.reset();
+  std::error_code not_empty;
+  fs::remove(folder_, not_empty);
+}
+
+fs::path PartsFolder::file(std::size_t first_case) const {
+  return folder_ / fmt::format("{:06}.h5", first_case);
+}
+
+std::vector<SweepPart> PartsFolder::parts() const {
+  std::vector<fs::path> names;
+  for (const auto& entry : fs::directory_iterator(folder_))
+    if (const fs::path& name = entry.path(); is_numbered(name) && name.extension() == ".h5" &&
+                                             is_regular(name) &&
+                                             fs::file_size(name) > 0) // a crash of the machine may leave none
+      names.push_back(name);
+  return read_parts(asked_, names);
+}
+
+std::size_t PartsFolder::size() const {
+  std::size_t size = 0;
+  const fs::path file = folder_ / size_name;
+  return is_regular(file) && std::ifstream(file) >> size ? size : 0;
+}
+
+void PartsFolder::keep_size(std::size_t size) const {
+  write_text(folder_ / size_name, [&](std::ostream& out) { out << size << '\n'; });
+}
+
+void PartsFolder::clear() const {
+  for (const SweepPart& part : parts())
+    fs::remove(part.file);
+  if (size() > 0)
+    fs::remove(folder_ / size_name);
+  remove_unfinished();
+}
+
+/// What killed processes were writing: no other process works here.
+void PartsFolder::remove_unfinished() const {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder_, ignored))
+    if (is_numbered(entry.path()) && entry.path().extension().string().starts_with(".tmp"))
+      fs::remove(entry.path(), ignored);
+}
+
+PartSolver part_solver(const AskedSweep& asked) {
+  return [&asked, files = files_of_first_case(asked)](CaseRange cases, const fs::path& file) {
+    solve_part(asked, cases, files, file, slow_case_seconds, [] {});
+  };
+}
+
+SolvedParts solve_on_cores(const PartsFolder& folder, int jobs, const PartSolver& solver) {
+  return Run(folder, jobs, solver).solve();
+}
+
+} // namespace bem_contact::app

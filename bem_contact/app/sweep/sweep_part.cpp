@@ -1,0 +1,89 @@
+#include "bem_contact/app/sweep/sweep_part.hpp"
+
+#include "bem_contact/app/output/output_names.hpp"
+#include "bem_contact/app/sweep/sweep_table.hpp"
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/sequence/result_file.hpp"
+
+#include <fmt/format.h>
+#include <new>
+
+namespace bem_contact::app {
+
+namespace {
+
+/// nan where there is none.
+double number_attribute(const H5Table& table, const std::string& name) {
+  const auto found = table.attributes.find(name);
+  const auto* number = found == table.attributes.end() ? nullptr : std::get_if<double>(&found->second);
+  return number ? *number : std::nan("");
+}
+
+/// What the file says of its cases.
+H5Table head_of(const AskedSweep& asked, CaseRange cases) {
+  H5Table head = record::to_h5(headed(sweep_part_format));
+  head.attributes["digest"] = asked.digest;
+  head.attributes["first_case"] = static_cast<double>(cases.first);
+  head.attributes["last_case"] = static_cast<double>(cases.last);
+  return head;
+}
+
+} // namespace
+
+CaseRange solve_part(const AskedSweep& asked, CaseRange cases, const std::shared_ptr<SequenceFiles>& files,
+                     const std::filesystem::path& file, double slow_case, const std::function<void()>& kept) {
+  H5Writer writer(file);
+  H5Table group;
+  std::vector<SweepCase> solved;
+  SweepOptions options{
+      .model = asked.model, .strict = asked.strict, .displacements = asked.sweep.keeps_fields()};
+  if (asked.sweep.keeps_fields())
+    options.seen = [&](const std::string& wheel, const SceneResult& result) {
+      add_group(group, wheel, record::to_h5(case_record(result)));
+    };
+  solve_cases(asked.sweep, cases, options, files, [&](SweepCase one) {
+    if (one.status == CaseStatus::died)
+      throw std::bad_alloc();
+    if (!one.reason.empty())
+      group.attributes["reason"] = one.reason;
+    H5Table members;
+    members.checksums = true;
+    add_group(members, group_of_case(one.index) + "/", std::exchange(group, {}));
+    writer.add(members);
+    one.reason.clear();
+    const bool slow = solved.empty() && one.seconds > slow_case;
+    solved.push_back(std::move(one));
+    kept();
+    return !slow;
+  });
+  cases.last = cases.first + solved.size();
+  H5Table top = table_of(asked.sweep, asked.columns(), solved);
+  add_group(top, "", head_of(asked, cases));
+  top.checksums = true;
+  writer.add(top);
+  writer.finish();
+  return cases;
+}
+
+SweepPart read_part(const AskedSweep& asked, const std::filesystem::path& file) {
+  const H5Reader reader(file);
+  const H5Table head = reader.attributes();
+  const auto refuse = [&](const char* problem, const char* why, const char* what_to_do) {
+    throw InputError(fmt::format("The file '{}' {}", file.string(), problem), why, what_to_do);
+  };
+  const std::string format = text_attribute(head, "format");
+  if (format != sweep_part_format)
+    refuse("is no part of a sweep", "it was not made by bem_contact sweep --cases", "Leave it out.");
+  if (text_attribute(head, "digest") != asked.digest)
+    refuse("belongs to another sweep", digest_changed,
+           "Finish that sweep with what it began with, give another output, or solve its cases again.");
+  const double first = number_attribute(head, "first_case"), last = number_attribute(head, "last_case");
+  if (!(first >= 0 && first < last && last <= static_cast<double>(asked.sweep.size())))
+    refuse("is damaged", "the sweep does not have its cases", "Solve them again.");
+  const CaseRange cases{static_cast<std::size_t>(first), static_cast<std::size_t>(last)};
+  return {file, cases, require_table(reader, asked.columns(), cases.size())};
+}
+
+} // namespace bem_contact::app

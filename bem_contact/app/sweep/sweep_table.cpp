@@ -1,0 +1,176 @@
+#include "bem_contact/app/sweep/sweep_table.hpp"
+
+#include "bem_contact/base/counted.hpp"
+#include "bem_contact/base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <functional>
+#include <map>
+
+namespace bem_contact::app {
+
+namespace {
+
+/// Characters. HDF5 takes 64 kB as an attribute; longer lists are in the scene, which the file has, too.
+constexpr std::size_t longest_list = 32'000;
+
+double number(const SchemaValue& value) {
+  if (const auto* v = std::get_if<double>(&value))
+    return *v;
+  if (const auto* v = std::get_if<std::int64_t>(&value))
+    return static_cast<double>(*v);
+  return std::get<bool>(value) ? 1.0 : 0.0;
+}
+
+/// "which of S1002 worn.txt"
+std::string description_of(const SweepFile::Axis& axis) {
+  if (!std::holds_alternative<std::string>(axis.values.front()))
+    return "swept over";
+  std::string out = "which of";
+  for (const SchemaValue& value : axis.values) {
+    if (out.size() > longest_list)
+      return out + " ...";
+    out.append(" ").append(bem_contact::to_text(value));
+  }
+  return out;
+}
+
+void add_axes(H5Table& table, const std::string& group, const SweepFile& sweep,
+              std::span<const std::size_t> cases) {
+  for (std::size_t a = 0; a < sweep.axes.size(); ++a) {
+    const SweepFile::Axis& axis = sweep.axes[a];
+    const bool text = std::holds_alternative<std::string>(axis.values.front());
+    std::vector<double> values;
+    for (const std::size_t i : cases) {
+      const std::size_t at = sweep.indices(i)[a];
+      values.push_back(text ? static_cast<double>(at) : number(axis.values[at]));
+    }
+    table.datasets[group + axis.key] =
+        H5Dataset::line(std::move(values), unit_of_key(axis.key), description_of(axis));
+  }
+}
+
+void add_patches(H5Table& table, const SweepFile& sweep, const SweepColumns& columns, SweepNumbers& numbers) {
+  const auto add = [&](const std::string& name, std::vector<double> values, const std::string& unit,
+                       const std::string& description) {
+    table.datasets[patch_group + name] = H5Dataset::line(std::move(values), unit, description);
+  };
+  add("case", {numbers.patch_case.begin(), numbers.patch_case.end()}, "1", "the case, from 0");
+  add("patch", {numbers.patch_rank.begin(), numbers.patch_rank.end()}, "1", "1: the largest force");
+  add_axes(table, patch_group, sweep, numbers.patch_case);
+  for (std::size_t k = 0; k < numbers.patches.size(); ++k)
+    add(columns.patches[k].name, std::move(numbers.patches[k]), columns.patches[k].unit,
+        columns.patches[k].description);
+}
+
+} // namespace
+
+H5Table table_of(const SweepFile& sweep, const SweepColumns& columns, std::span<const SweepCase> cases) {
+  H5Table table;
+  const auto line = [&](const std::string& name, std::string unit, std::string description, auto value) {
+    std::vector<double> values(cases.size());
+    std::ranges::transform(cases, values.begin(), value);
+    table.datasets[name] = H5Dataset::line(std::move(values), std::move(unit), std::move(description));
+  };
+  std::vector<std::size_t> numbers_of_cases(cases.size());
+  std::ranges::transform(cases, numbers_of_cases.begin(), &SweepCase::index);
+  add_axes(table, "", sweep, numbers_of_cases);
+  line("status", "1", status_description, [](const SweepCase& r) { return static_cast<double>(r.status); });
+  line("seconds", "s", seconds_description, std::mem_fn(&SweepCase::seconds));
+  line("cpu_seconds", "s", cpu_description, std::mem_fn(&SweepCase::cpu_seconds));
+  SweepNumbers numbers = numbers_of(cases, columns);
+  for (std::size_t k = 0; k < numbers.cases.size(); ++k) {
+    const SweepColumn& column = columns.cases[k];
+    table.datasets[column.name] =
+        H5Dataset::line(std::move(numbers.cases[k]), column.unit, column.description);
+  }
+  if (!columns.patches.empty())
+    add_patches(table, sweep, columns, numbers);
+  return table;
+}
+
+std::vector<SweepCase> missing_cases(CaseRange cases) {
+  std::vector<SweepCase> out(cases.size());
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i].index = cases.first + i;
+    out[i].seconds = out[i].cpu_seconds = std::nan("");
+  }
+  return out;
+}
+
+std::string group_of_case(std::size_t index) {
+  return fmt::format("cases/{:06}", index);
+}
+
+void add_counts(H5Table& table, std::span<const std::size_t> counts) {
+  for (std::size_t s = 0; s < counts.size(); ++s) {
+    std::string name(EnumNames<CaseStatus>::names[s]);
+    std::ranges::replace(name, ' ', '_');
+    table.datasets[name + "_count"] = {
+        {}, {static_cast<double>(counts[s])}, "1", "cases of this status", true};
+  }
+}
+
+std::size_t require_table(const H5Reader& file, const SweepColumns& columns, std::size_t cases) {
+  for (const char* name : {"status", "seconds", "cpu_seconds"})
+    file.require(name, cases);
+  for (const SweepColumn& column : columns.cases)
+    file.require(column.name, cases);
+  if (columns.patches.empty())
+    return 0;
+  const std::string group = patch_group;
+  const std::size_t patches = file.size(group + "case");
+  for (const char* name : {"case", "patch"})
+    file.require(group + name, patches);
+  for (const SweepColumn& column : columns.patches)
+    file.require(group + column.name, patches);
+  return patches;
+}
+
+void require_within(CaseRange range, std::span<const double> values, const std::string& name,
+                    const std::filesystem::path& file, bool may_be_nan) {
+  const auto first = static_cast<double>(range.first), last = static_cast<double>(range.last);
+  for (const double value : values)
+    if (!(value >= first && value < last) && !(may_be_nan && std::isnan(value)))
+      throw InputError(fmt::format("The file '{}' is damaged", file.string()),
+                       fmt::format("its dataset '{}' has a number {}, not {} to {}", name, value, range.first,
+                                   range.last - 1),
+                       "Copy it again from where it was whole, or make it again.");
+}
+
+SweepSummary sweep_summary(const H5Reader& file, std::size_t cases, const std::string& head) {
+  // One column after the other: each may take much memory.
+  const std::vector<double> status = file.line("status", 0, cases);
+  require_within({0, EnumNames<CaseStatus>::names.size()}, status, "status", file.file());
+  std::map<std::string_view, std::size_t> counts;
+  for (const double one : status)
+    ++counts[name_of(static_cast<CaseStatus>(one))];
+  const auto warned = std::ranges::count_if(file.line("warning_count", 0, cases),
+                                            [](double count) { return count > 0; }); // nan: no result
+  std::vector<double> times = file.line("cpu_seconds", 0, cases);
+  for (std::size_t i = 0; i < cases; ++i)
+    if (static_cast<CaseStatus>(status[i]) == CaseStatus::died)
+      times[i] = std::nan("");
+  std::erase_if(times, [](double time) { return std::isnan(time); });
+
+  SweepSummary out{head, counts[name_of(CaseStatus::certified)] == cases};
+  for (const auto& [name, number] : counts)
+    if (number > 0)
+      out.text += fmt::format("{} {}, ", number, name);
+  out.text += fmt::format("of {}\n", counted(cases, "case", "cases"));
+  if (warned > 0)
+    out.text += fmt::format("{} of them have warnings (column warning_count; reason says which)\n", warned);
+  if (!times.empty()) {
+    std::ranges::sort(times);
+    const auto at = [&](double quantile) {
+      return times[static_cast<std::size_t>(quantile * double(times.size() - 1))];
+    };
+    out.text += fmt::format("CPU seconds a case: median {:.3g}, 99 % below {:.3g}, largest {:.3g}\n", at(0.5),
+                            at(0.99), times.back());
+  }
+  return out;
+}
+
+} // namespace bem_contact::app
