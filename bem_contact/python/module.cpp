@@ -308,7 +308,13 @@ PYBIND11_MODULE(_core, m) {
       "case starts from the tractions of the one before. The scene is read, and its paths are fixed, when "
       "the object is made. Several threads may call one object: each call waits for the one before. Several "
       "objects run side by side. Ctrl-C ends a running solve. `threads` share the work of a case with "
-      "thousands of elements in contact; results are the same.")
+      "thousands of elements in contact; results are the same. A pickle has the scene and its folder: a copy "
+      "in another process solves the same scenes, and learns for itself.")
+      .def(py::pickle([](const PythonSequence& s) { return py::make_tuple(tuple_of(s.text()), s.threads()); },
+                      [](const py::tuple& state) {
+                        return std::make_unique<PythonSequence>(scene_text_of(state[0]),
+                                                                state[1].cast<int>());
+                      }))
       .def(py::init(&sequence_of), "scene"_a = py::none(), "folder"_a = py::none(), "threads"_a = 1)
       .def("solve", &solve_changed, "changes"_a = py::none(), "model"_a = py::none(), "strict"_a = false,
            of_arguments.c_str());

@@ -7,7 +7,7 @@
 namespace bem_contact {
 
 PythonSequence::PythonSequence(SceneText scene, int threads)
-    : shared_(std::make_shared<Shared>(Shared{std::move(scene), Sequence({.threads = threads})})) {}
+    : shared_(std::make_shared<Shared>(Shared{std::move(scene), threads, Sequence({.threads = threads})})) {}
 
 PythonSequence::Solved PythonSequence::solve(std::vector<SceneChange> changes, std::string model) const {
   return stoppable([shared = shared_, changes = std::move(changes),

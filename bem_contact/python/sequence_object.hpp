@@ -25,9 +25,13 @@ public:
   /// Throws InputError, ConvergenceError, and whatever a signal handler of Python raises.
   Solved solve(std::vector<SceneChange> changes, std::string model) const;
 
+  const SceneText& text() const { return shared_->text; }
+  int threads() const { return shared_->threads; }
+
 private:
   struct Shared { ///< with a solution that outlives the call (Ctrl-C), and perhaps this object
     SceneText text;
+    int threads;
     Sequence sequence;
   };
   std::shared_ptr<Shared> shared_;

@@ -1,4 +1,5 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/python/executors.hpp"
 #include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
@@ -13,9 +14,9 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -70,19 +71,6 @@ py::array_t<std::int64_t> whole(const std::vector<std::size_t>& numbers) {
   return py::array_t<std::int64_t>(py::cast(numbers));
 }
 
-/// Chunk by chunk, as the program.
-std::vector<SweepCase> solve_all(const SweepFile& sweep, const SweepOptions& options) {
-  const auto files = shared_files();
-  std::optional<SweepSolver> solver;
-  std::vector<SweepCase> out;
-  for (std::size_t i = 0; i < sweep.size(); ++i) {
-    if (i % chunk_size(sweep.size()) == 0)
-      solver.emplace(files);
-    out.push_back(solve_case(*solver, sweep, i, options));
-  }
-  return out;
-}
-
 /// Gives every case of the sweep a key's value.
 void change_all(SweepFile& sweep, const SceneChange& change) {
   if (std::ranges::count(sweep.axes, change.key, &SweepFile::Axis::key) > 0)
@@ -96,19 +84,68 @@ py::object as_sweep(const py::dict& columns) {
   return py::module_::import("bem_contact").attr("Sweep")(columns);
 }
 
-py::object sweep(const py::object& scene, const py::object& changes, const py::object& model,
-                 const py::object& folder) {
-  if (model.is_none() && py::isinstance<py::str>(changes)) // the model was the second argument
-    return sweep(scene, py::none(), changes, folder);
-  SweepFile file = parse_sweep_file(scene_of(scene, folder));
-  const std::size_t swept = file.axes.size();
+/// The cases of a scene, with changes of all of them.
+SweepFile sweep_of(SceneText scene, const py::object& changes) {
+  SweepFile file = parse_sweep_file(std::move(scene));
   for (const SceneChange& change : changes_of(changes))
     change_all(file, change);
+  return file;
+}
+
+std::vector<SweepCase> solve_range(const SweepFile& sweep, CaseRange cases, const std::string& model) {
+  return stoppable([=](const std::atomic<bool>* stop) {
+    std::vector<SweepCase> out;
+    solve_cases(sweep, cases, {.model = model, .stop = stop}, shared_files(), [&](SweepCase one) {
+      out.push_back(std::move(one));
+      return true;
+    });
+    return out;
+  });
+}
+
+/// In a process or thread of an executor: the cases of a range as tuples, which can be pickled.
+py::list solve_sweep_part(const py::tuple& scene, const py::object& changes, const std::string& model,
+                          std::size_t first, std::size_t last) {
+  py::list out;
+  for (const SweepCase& one : solve_range(sweep_of(scene_text_of(scene), changes), {first, last}, model))
+    out.append(py::make_tuple(one.index, static_cast<int>(one.status), one.reason, one.seconds,
+                              one.cpu_seconds, one.summary, one.patches));
+  return out;
+}
+
+/// By solve_sweep_part(), in tasks of whole chunks, so that what is found is what one process finds.
+std::vector<SweepCase> solve_sweep_with(const py::object& executor, const SweepFile& sweep,
+                                        const py::object& changes, const std::string& model) {
+  constexpr std::size_t most_tasks = 1000; // each reads its files again
+  const std::size_t chunk = chunk_size(sweep.size()), chunks = (sweep.size() + chunk - 1) / chunk,
+                    size = chunk * ((chunks + most_tasks - 1) / most_tasks);
+  py::list tasks;
+  for (std::size_t first = 0; first < sweep.size(); first += size)
+    tasks.append(
+        py::make_tuple(tuple_of(sweep.text), changes, model, first, std::min(sweep.size(), first + size)));
+  std::vector<SweepCase> out;
+  for (const py::handle part : run_on(executor, "sweep", tasks))
+    for (const py::handle item : part) {
+      const auto one = py::reinterpret_borrow<py::tuple>(item);
+      out.push_back({one[0].cast<std::size_t>(), static_cast<CaseStatus>(one[1].cast<int>()),
+                     one[2].cast<std::string>(), one[3].cast<double>(), one[4].cast<double>(),
+                     one[5].cast<std::vector<double>>(), one[6].cast<std::vector<std::vector<double>>>()});
+    }
+  return out;
+}
+
+py::object sweep(const py::object& scene, const py::object& changes, const py::object& model,
+                 const py::object& folder, const py::object& executor) {
+  if (model.is_none() && py::isinstance<py::str>(changes)) // the model was the second argument
+    return sweep(scene, py::none(), changes, folder, executor);
+  SweepFile file = parse_sweep_file(scene_of(scene, folder));
+  const std::size_t swept = file.axes.size();
+  file = sweep_of(file.text, changes);
   const std::string name = model_of(model);
   check_values(file);
   with_model(file.scene(0), name); // refuses what is no model
-  const std::vector<SweepCase> cases = stoppable(
-      [file, name](const std::atomic<bool>* stop) { return solve_all(file, {.model = name, .stop = stop}); });
+  const std::vector<SweepCase> cases = executor.is_none() ? solve_range(file, file.all(), name)
+                                                          : solve_sweep_with(executor, file, changes, name);
   py::dict out;
   for (std::size_t axis = 0; axis < swept; ++axis)
     out[file.axes[axis].key.c_str()] = values_of_key(file, axis);
@@ -144,7 +181,7 @@ void add_check_and_sweep(py::module_& module) {
       "check` prints, and `warnings`. Raises InputError where solve() or wheelset() would before it solves.");
   module.def(
       "sweep", &sweep, "scene"_a, "changes"_a = py::none(), "model"_a = py::none(), py::kw_only(),
-      "folder"_a = py::none(),
+      "folder"_a = py::none(), "executor"_a = py::none(),
       "Solves a scene for the lists of its table [sweep], as `bem_contact sweep` does. "
       "`scene`, `changes`, `model`: as solve() takes them. A dict of columns, one entry for each case: the "
       "keys swept "
@@ -155,8 +192,10 @@ void add_check_and_sweep(py::module_& module) {
       "result); `to_frame()` makes a DataFrame of pandas of them; `patches`: the same of all patches, with "
       "`case` (from 0) and `patch` (from 1, the largest force first). Of wheelsets, the numbers of "
       "wheelset(), and `patches` with `left` (1: of the left wheel). mm, N, MPa, rad. Raises "
-      "InputError for a scene without [sweep] and a value that no scene has. The program solves with several "
-      "processes, keeps fields, and goes on after it was stopped.");
+      "InputError for a scene without [sweep] and a value that no scene has. `executor`: any of "
+      "concurrent.futures, or with its methods, shares the cases; the numbers are the same. The program "
+      "keeps fields, and goes on after it was stopped.");
+  module.def("_sweep_part", &solve_sweep_part, "scene"_a, "changes"_a, "model"_a, "first"_a, "last"_a);
 }
 
 } // namespace bem_contact

@@ -1,11 +1,13 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/base/stopped.hpp"
+#include "bem_contact/python/executors.hpp"
 #include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
+#include "bem_contact/uses/sweep/sweep_case.hpp"
 #include "bem_contact/uses/table/creep_table.hpp"
 #include "bem_contact/uses/table/scene_table.hpp"
 #include "bem_contact/uses/table/table_file.hpp"
@@ -14,8 +16,12 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <optional>
+#include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace py = pybind11;
 
@@ -69,27 +75,99 @@ table::SceneTable described(const py::object& scene, const py::object& axes, con
   return out;
 }
 
-void solve(table::ContactTable& t, const table::PointSolver& solver, const table::Wanted& wanted,
-           const std::optional<std::filesystem::path>& output) {
-  t = stoppable([t, solver, wanted](const std::atomic<bool>* stop) {
-    table::ContactTable refined = t;
-    const table::PointSolver until_stopped = [&solver, stop](const table::Point& point) {
+/// Solves points of a table; `part` and `head` say the same to a process of an executor (solve_points()).
+struct AskedPoints {
+  table::PointSolver solver;
+  const char* part;
+  py::tuple head;
+};
+
+/// In a process or thread of an executor: values and their errors of some points.
+py::list solve_points(const table::PointSolver& solver, std::vector<table::Point> points) {
+  const std::vector<table::PointValues> found = stoppable([=](const std::atomic<bool>* stop) {
+    return table::one_by_one([&](const table::Point& point) {
       end_if_stopped(stop);
       return solver(point);
-    };
-    table::refine(refined, table::one_by_one(until_stopped), wanted);
-    return refined;
+    })(points);
   });
+  py::list out;
+  for (const table::PointValues& point : found)
+    out.append(py::make_tuple(point.values, point.element_errors));
+  return out;
+}
+
+/// By chunks, as the program: so what is found does not depend on how many share it.
+table::PointsSolver shared_by(const py::object& executor, const AskedPoints& points) {
+  return [=](std::span<const table::Point> all) {
+    py::list tasks;
+    const std::size_t chunk = chunk_size(all.size());
+    for (std::size_t first = 0; first < all.size(); first += chunk) {
+      const auto some = all.subspan(first, std::min(chunk, all.size() - first));
+      tasks.append(points.head + py::make_tuple(std::vector<table::Point>(some.begin(), some.end())));
+    }
+    std::vector<table::PointValues> out;
+    for (const py::handle part : run_on(executor, points.part, tasks))
+      for (const py::handle point : part) {
+        const auto pair = py::reinterpret_borrow<py::tuple>(point);
+        out.push_back({pair[0].cast<std::vector<double>>(), pair[1].cast<std::vector<double>>()});
+      }
+    return out;
+  };
+}
+
+void solve(table::ContactTable& t, const AskedPoints& points, const table::Wanted& wanted,
+           const py::object& executor, const std::optional<std::filesystem::path>& output) {
+  if (executor.is_none())
+    t = stoppable([t, solver = points.solver, wanted](const std::atomic<bool>* stop) {
+      table::ContactTable refined = t;
+      const table::PointSolver until_stopped = [&solver, stop](const table::Point& point) {
+        end_if_stopped(stop);
+        return solver(point);
+      };
+      table::refine(refined, table::one_by_one(until_stopped), wanted);
+      return refined;
+    });
+  else
+    table::refine(t, shared_by(executor, points), wanted);
   if (output)
     table::write_table(
         *output,
         {{"format", record::Text{table_format}}, {"program", record::Text{provenance("bem_contact")}}}, t);
 }
 
+using Axes = std::vector<std::pair<std::string, std::vector<double>>>;
+
+AskedPoints asked_points(const table::SceneTable& order) {
+  Axes axes;
+  for (const table::SceneTable::KeyAxis& axis : order.axes)
+    axes.emplace_back(axis.key, axis.points);
+  return {table::scene_point_solver(order), "scene_table", py::make_tuple(tuple_of(order.text), axes)};
+}
+
+py::list solve_scene_table_part(const py::tuple& scene, const Axes& axes,
+                                const std::vector<table::Point>& points) {
+  table::SceneTable order{scene_text_of(scene)};
+  for (const auto& [key, first_points] : axes)
+    order.axes.push_back({key, first_points});
+  return solve_points(table::scene_point_solver(order), points);
+}
+
+AskedPoints asked_points(const table::CreepScale& scale, int elements) {
+  return {table::creep_point_solver(scale, elements), "creep_table",
+          py::make_tuple(scale.log10_a_over_b, scale.c11, scale.c22, scale.poisson, elements)};
+}
+
+py::list solve_creep_table_part(std::vector<double> log10_a_over_b, std::vector<double> c11,
+                                std::vector<double> c22, double poisson, int elements,
+                                const std::vector<table::Point>& points) {
+  const table::CreepScale scale{std::move(log10_a_over_b), std::move(c11), std::move(c22), poisson};
+  return solve_points(table::creep_point_solver(scale, elements), points);
+}
+
 py::dict make_table(const py::object& scene, const py::object& axes, std::vector<std::string> hold,
                     double tolerance, std::size_t most_points, std::pair<double, double> ratio,
                     double poisson, int elements, const std::optional<std::filesystem::path>& output,
-                    const py::object& folder) {
+                    const py::object& folder, const py::object& executor) {
   table::Wanted wanted{.tolerance = tolerance, .most_points = most_points};
   table::ContactTable t;
   if (scene.is_none()) {
@@ -97,7 +175,7 @@ py::dict make_table(const py::object& scene, const py::object& axes, std::vector
       throw InputError("A table without a scene has no axes of yours", "it is one of creep forces",
                        "Give a scene, or leave out `axes` and `hold`.");
     t = table::creep_table({poisson, ratio.first, ratio.second, elements, tolerance});
-    solve(t, table::creep_point_solver(*t.scale, elements), wanted, output);
+    solve(t, asked_points(*t.scale, elements), wanted, executor, output);
     return dict_of(t);
   }
   wanted.rescale = table::rescale;
@@ -105,7 +183,7 @@ py::dict make_table(const py::object& scene, const py::object& axes, std::vector
   if (!hold.empty())
     order.hold = std::move(hold);
   t = table::table_of(order);
-  solve(t, table::scene_point_solver(order), wanted, output);
+  solve(t, asked_points(order), wanted, executor, output);
   return dict_of(t);
 }
 
@@ -177,7 +255,7 @@ void add_table(py::module_& module) {
       "most_points"_a = table::Wanted{}.most_points,
       "ratio"_a = std::pair(table::CreepTableOptions{}.from, table::CreepTableOptions{}.to),
       "poisson"_a = 0.28, "elements"_a = table::CreepTableOptions{}.elements, "output"_a = py::none(),
-      "folder"_a = py::none(),
+      "folder"_a = py::none(), "executor"_a = py::none(),
       "Forces over axes, refined until the interpolation is within `tolerance`. Without a `scene`: creep "
       "forces of an ellipse over a/b (`ratio`, from and to) and the creepages, for `poisson` and so many "
       "`elements` across. With a scene, as solve() takes it: `axes` (a dict of keys and lists of numbers) or "
@@ -185,7 +263,12 @@ void add_table(py::module_& module) {
       "\"axes\", \"first\" (of creep forces: where on an axis the points begin that belong to each point of "
       "the axes before it), \"values\" (an array over all axes for each number; of creep forces over all "
       "points), \"errors\" (interpolation, elements, scale, held), \"units\", \"creep_scale\". `output`: an "
-      "HDF5 file, too.");
+      "HDF5 file, too. `executor`: any of concurrent.futures, or with its methods, shares the points. Then "
+      "the "
+      "numbers are those of the program, however many share them.");
+  module.def("_scene_table_part", &solve_scene_table_part, "scene"_a, "axes"_a, "points"_a);
+  module.def("_creep_table_part", &solve_creep_table_part, "log10_a_over_b"_a, "c11"_a, "c22"_a, "poisson"_a,
+             "elements"_a, "points"_a);
 }
 
 } // namespace bem_contact

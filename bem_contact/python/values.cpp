@@ -213,6 +213,14 @@ SceneText scene_of(const py::object& scene, const py::object& folder) {
   return {read_text_file(name, "scene file"), name, start(std::filesystem::path(name).parent_path() / ".")};
 }
 
+py::tuple tuple_of(const SceneText& scene) {
+  return py::make_tuple(scene.toml, scene.source, scene.folder.string());
+}
+
+SceneText scene_text_of(const py::tuple& scene) {
+  return {scene[0].cast<std::string>(), scene[1].cast<std::string>(), scene[2].cast<std::string>()};
+}
+
 SceneFile scene_file_of(const py::object& scene, const py::object& folder,
                         std::span<const SceneChange> changes) {
   return parse_scene_file(scene_of(scene, folder), changes);

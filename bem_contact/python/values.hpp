@@ -18,6 +18,9 @@ namespace bem_contact {
 /// Relative paths start in `folder`, which is made absolute; "": in the working directory; None: in the
 /// file's folder, of a text or a dict in the working directory.
 SceneText scene_of(const pybind11::object& scene, const pybind11::object& folder);
+/// The same for another process and back: text, source and folder.
+pybind11::tuple tuple_of(const SceneText& scene);
+SceneText scene_text_of(const pybind11::tuple& scene);
 /// The same, read with changes of its keys.
 SceneFile scene_file_of(const pybind11::object& scene, const pybind11::object& folder,
                         std::span<const SceneChange> changes);

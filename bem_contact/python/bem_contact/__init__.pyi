@@ -1,4 +1,5 @@
 from collections.abc import Mapping, Sequence as _List
+from concurrent.futures import Executor
 from os import PathLike
 from typing import Any, Final, Literal, overload
 
@@ -176,7 +177,12 @@ class Sweep(dict[str, Any]):
         """A DataFrame of pandas: one row for each case, or for each patch. InputError where pandas is missing."""
 
 def sweep(
-    scene: _Scene, changes: _Changes = None, model: _Model = None, *, folder: str | PathLike[str] | None = None
+    scene: _Scene,
+    changes: _Changes = None,
+    model: _Model = None,
+    *,
+    folder: str | PathLike[str] | None = None,
+    executor: Executor | None = None,
 ) -> Sweep:
     """The cases of a table [sweep] as columns: the keys swept over, "status", "reason", "model", the numbers, "patches"."""
 
@@ -240,6 +246,7 @@ def table(
     elements: int = ...,
     output: str | PathLike[str] | None = None,
     folder: str | PathLike[str] | None = None,
+    executor: Executor | None = None,
 ) -> dict[str, Any]:
     """Forces over axes, refined until the interpolation is within the tolerance; NumPy arrays, and `output` (HDF5).
 

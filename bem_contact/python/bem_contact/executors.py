@@ -1,0 +1,23 @@
+"""Work shared by an executor: of concurrent.futures, mpi4py.futures, Dask (client.get_executor()), loky.
+
+A task is a function of this package and its arguments, all of which can be pickled. It may run in any process that can import
+bem_contact and sees the same files, and says the same wherever it runs.
+"""
+
+from importlib import import_module
+
+
+def part(kind, *arguments):
+    """One task, in the process or thread that the executor has chosen."""
+    return getattr(import_module("bem_contact._core"), f"_{kind}_part")(*arguments)
+
+
+def run_on(executor, kind, tasks):
+    """The results of all tasks, in their order. Where one raises an error, those that have not begun are given up."""
+    futures = [executor.submit(part, kind, *task) for task in tasks]
+    try:
+        return [future.result() for future in futures]
+    except BaseException:
+        for future in futures:
+            future.cancel()
+        raise
