@@ -4,11 +4,17 @@ import json
 import os
 import re
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
+import numpy
+
 import programs
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import page_tables
 
 PAGE = programs.ROOT / "data" / "TUTORIAL.md"
 
@@ -70,19 +76,42 @@ class Tutorial(unittest.TestCase):
             creep = re.search(r"    \+1\.0e-03 +N +(\S+) +(\S+)", self.page)
             self.near(found["creep_forces"]["Fx"][model][1], float(creep[column]), 2e-3)
 
-    def test_accuracy(self):
-        result = self.solved(self.scene + self.grid, "--model", "fem")
-        contact, pmax, fy = self.printed(r"\| 0\.01 \|.*?\| (\d+) \| (\S+) \+- \S+ \| (\d+) \|")
-        self.near(result["quantities"]["pmax"], pmax)
-        self.near(result["quantities"]["Fy"], fy)
-        self.near(sum(patch["contact"] for patch in result["patches"]), contact, 0.02)
+    def noisy(self, scatter, seed):
+        """The scene of step 2 with a wheel whose points scatter (um)."""
+        points = numpy.loadtxt(programs.ROOT / "data" / "bodies" / "hollow_wheel.txt")
+        points += numpy.random.default_rng(seed).normal(scale=1e-3 * scatter, size=points.shape) if scatter else 0
+        numpy.savetxt(self.folder / "noisy.txt", points, "%.7f")
+        return self.plain.replace(str(programs.ROOT / "data" / "bodies" / "hollow_wheel.txt"), "noisy.txt")
 
-    def test_sweep(self):
+    def write_noise(self):
+        with open(self.folder / "noise.csv", "w") as out:
+            print("scatter,pmax_from,pmax_to,patches_from,patches_to", file=out)
+            for scatter in (0, 0.5, 2, 10):
+                found = [self.solved(self.noisy(scatter, seed), "--model", "halfspace") for seed in range(1, 7 if scatter else 2)]
+                pmax, patches = [one["quantities"]["pmax"] for one in found], [len(one["patches"]) for one in found]
+                print(scatter, min(pmax), max(pmax), min(patches), max(patches), sep=",", file=out)
+
+    def write_accuracy(self):
+        with open(self.folder / "accuracy.csv", "w") as out:
+            print("accuracy,dx,ds,contact,pmax,Fy,estimate", file=out)
+            for accuracy in (0.05, 0.02, 0.01):
+                found = self.solved(self.scene + self.grid.replace("0.01 ", f"{accuracy} "), "--model", "fem")["quantities"]
+                print(accuracy, *(found[name] for name in ("dx", "ds", "contact", "pmax", "Fy")), 100 * found["discretisation"],
+                      sep=",", file=out)
+
+    def write_sweeps(self):
         text = re.sub(r"\[position\]\n.*?\n\n", "", self.scene + self.grid, flags=re.S) + self.sweep
         (self.folder / "sweep.toml").write_text(text)
-        done = subprocess.run([programs.BIN / "bem_contact", "sweep", "sweep.toml", "--model", "halfspace", "-o", "S.h5"],
-                              cwd=self.folder, check=True, stdout=subprocess.PIPE, text=True)
-        self.assertIn("9 certified, of 9 cases", done.stdout)
+        for model in ("fem", "halfspace"):
+            done = subprocess.run([programs.BIN / "bem_contact", "sweep", "sweep.toml", "--model", model, "-o", f"{model}.h5",
+                                   "--csv", f"{model}.csv"], cwd=self.folder, check=True, stdout=subprocess.PIPE, text=True)
+            self.assertIn("9 certified, of 9 cases", done.stdout)
+
+    def test_every_table(self):
+        self.write_noise()
+        self.write_accuracy()
+        self.write_sweeps()
+        self.assertEqual(page_tables.faults_of(self.page, self.folder), [])
 
     def test_equal_forces_in_python(self):
         code = re.search(r"```python\n(.*?)```", self.page, re.S)[1]
