@@ -3,6 +3,7 @@
 #include "bem_contact/base/program.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/base/said_by.hpp"
+#include "bem_contact/profile/message_sink.hpp"
 #include "fem_influence/commands.hpp"
 #include "fem_influence/shared/parallel.hpp"
 
@@ -121,6 +122,10 @@ int run_program(int argc, char** argv) {
   use_one_blas_thread();
   start_quickly_on_one_machine();
   MPI_Init(&argc, &argv);
+  const auto messages = install_message_sink();
+  if (fem::process_rank() != 0)
+    messages->set_level(
+        spdlog::level::off); // each process reads the same profile; errors do not come this way
   int code = 0;
   try {
     compute(arguments);

@@ -5,6 +5,7 @@
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/base/said_by.hpp"
 #include "bem_contact/profile/bodies/body_file.hpp"
+#include "bem_contact/profile/message_sink.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "meshes/heartbeat.hpp"
 #include "meshes/section_mesh.hpp"
@@ -133,5 +134,6 @@ int run_program(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   begin_program(argv);
+  const auto messages = install_message_sink(); // the profile is read more than once
   return checked_exit_code(run_program(argc, argv));
 }

@@ -33,7 +33,7 @@ void add_output(CLI::App& line, std::string& output) {
 }
 
 void add_json(CLI::App& line, bool& json) {
-  line.add_flag("--json", json, "Print one JSON object instead of the text");
+  line.add_flag("--json", json, "Print one JSON object instead of the text")->configurable(false);
 }
 
 void refuse_odd_numbers(CLI::App& line) {

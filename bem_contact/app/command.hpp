@@ -36,6 +36,8 @@ void refuse_odd_numbers(CLI::App& line);
 void warn(const std::vector<std::string>& warnings);
 
 // The commands of the program. Each function adds the options and the help of one.
+Command add_new(CLI::App& program);          ///< a scene to begin with
+Command add_from_contact(CLI::App& program); ///< scenes of an input file of CONTACT
 Command add_solve(CLI::App& program);        ///< one scene with one model
 Command add_compare(CLI::App& program);      ///< half-space and finite elements at the same forces
 Command add_check(CLI::App& program);        ///< what would be solved
@@ -49,13 +51,14 @@ Command add_table(CLI::App& program);        ///< tables of forces, and values o
 Command add_wear(CLI::App& program);         ///< profiles wear under a load collective
 Command add_fatigue(CLI::App& program);      ///< shakedown, damage and stresses of each case of a sweep
 Command add_wheelset(CLI::App& program);     ///< both wheels under the forces on their axle
+Command add_study(CLI::App& program);        ///< all answers to one scene
 Command add_report(CLI::App& program);       ///< a result file as one HTML page
 Command add_plot(CLI::App& program);         ///< a picture of a file; Python draws it
 
 /// All of them, in the order of the program's help.
 inline constexpr Command (*all_commands[])(CLI::App& program) = {
-    add_solve,   add_compare, add_check,    add_info,         add_influence,
-    add_profile, add_sweep,   add_conicity, add_creep_curves, add_table,
-    add_wear,    add_fatigue, add_wheelset, add_report,       add_plot};
+    add_new,       add_from_contact, add_solve,    add_compare,  add_check,        add_info,
+    add_influence, add_profile,      add_sweep,    add_conicity, add_creep_curves, add_table,
+    add_wear,      add_fatigue,      add_wheelset, add_study,    add_report,       add_plot};
 
 } // namespace bem_contact::app

@@ -1,12 +1,13 @@
 #include "bem_contact/app/run_program.hpp"
 
 #include "bem_contact/app/command.hpp"
-#include "bem_contact/app/output/message_sink.hpp"
+#include "bem_contact/app/scene_options.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/base/said_by.hpp"
+#include "bem_contact/profile/message_sink.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 
 #include <CLI/CLI.hpp>
@@ -59,8 +60,10 @@ ExitCode run(const CLI::App& cli, const std::vector<Command>& added, bool print_
     return success;
   }
   for (const Command& command : added)
-    if (command.line->parsed())
+    if (command.line->parsed()) {
+      take_options_of_scene(command, added);
       return command.run();
+    }
   fmt::print(stderr, "{}", cli.help());
   return wrong_input;
 }

@@ -33,6 +33,7 @@ template <class File>
 CLI::Option* add_output_option(CLI::App& line, const std::string& name, File& file,
                                const std::string& description) {
   return line.add_option(name, file, description)
+      ->configurable(false) // a scene does not say what is written
       ->check([given = name.substr(name.rfind(',') + 1)](const std::string& value) -> std::string {
         if (value.empty())
           throw InputError(fmt::format("The output of {} cannot be written", given), "it names no file",

@@ -42,6 +42,11 @@ void Progress::step(std::size_t count) {
     draw(false);
 }
 
+void Progress::extend(std::size_t count) {
+  const std::lock_guard lock(mutex_);
+  total_ += count;
+}
+
 void Progress::finish() {
   const std::lock_guard lock(mutex_);
   if (finished_)

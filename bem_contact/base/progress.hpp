@@ -25,6 +25,8 @@ public:
   Progress& operator=(const Progress&) = delete;
 
   void step(std::size_t count = 1);
+  /// So much more has turned out to be done.
+  void extend(std::size_t count);
   void finish(); ///< says how long it took; later steps are ignored
 
 private:

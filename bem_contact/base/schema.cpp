@@ -69,6 +69,14 @@ bool Schema::changed(std::string_view path) const {
          (std::holds_alternative<TableList>(key->target) || value_text(key->target) != key->default_text);
 }
 
+std::vector<std::string> Schema::keys_of(std::string_view table) const {
+  std::vector<std::string> out;
+  for (const Key& key : keys_)
+    if (table_of(key.path) == table)
+      out.push_back(last_part(key.path));
+  return out;
+}
+
 std::string Schema::unit(std::string_view path) const {
   const Key* key = find(path);
   return key ? key->rule.unit : "";
@@ -98,7 +106,7 @@ void Schema::refuse(std::string_view path, std::string_view why, std::string_vie
 }
 
 void Schema::refuse_unknown(const std::string& path, bool is_table) const {
-  std::set<std::string> names;
+  std::set<std::string> names = is_table ? skipped_ : std::set<std::string>();
   for (const Key& key : keys_) {
     if (!is_table)
       names.insert(key.path);

@@ -114,6 +114,8 @@ public:
   }
   /// read() ignores this table, because other code reads it.
   void skip(std::string table) { skipped_.insert(std::move(table)); }
+  /// read() ignores keys of this table that are not declared, because other code reads and checks them.
+  void share(std::string table) { shared_.insert(std::move(table)); }
   /// The key that says which kind of file it is (KeyRule::kinds); it is bound to an enum.
   void kind_is(std::string path) { kind_path_ = std::move(path); }
 
@@ -136,6 +138,9 @@ public:
   /// Says whether the file gives the key another value than its default.
   bool changed(std::string_view path) const;
   [[noreturn]] void refuse(std::string_view path, std::string_view why, std::string_view what_to_do) const;
+
+  /// Returns the keys of a table, without its name.
+  std::vector<std::string> keys_of(std::string_view table) const;
 
   /// Returns the unit of the key, "" for none and for a key that is not there.
   std::string unit(std::string_view path) const;
@@ -163,7 +168,7 @@ private:
   [[noreturn]] void refuse_unknown(const std::string& path, bool is_table) const;
 
   std::string title_, kind_path_, source_;
-  std::set<std::string> skipped_;
+  std::set<std::string> skipped_, shared_;
   std::vector<Key> keys_;
   std::map<std::string, int> lines_; ///< of the keys and tables that the file has
   std::set<std::string> formerly_;   ///< those of them that it gives under their former name

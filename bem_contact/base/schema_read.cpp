@@ -78,6 +78,8 @@ public:
       const bool known_table =
           std::any_of(schema.keys_.begin(), schema.keys_.end(),
                       [&](const Schema::Key& k) { return k.path.starts_with(path + "."); });
+      if (!known_table && schema.shared_.contains(prefix))
+        continue;
       if (known_table && !node.is_table())
         throw InputError(schema.where(path) + path + " is " + type_of(node), "it is the name of a table",
                          "Write [" + path + "] and its keys below.");

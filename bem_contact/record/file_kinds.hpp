@@ -18,7 +18,8 @@ inline constexpr const char* creep_curves_format = "bem_contact creep curves 2";
 inline constexpr const char* fatigue_format = "bem_contact fatigue 2";
 inline constexpr const char* table_format = "bem_contact table 4";
 inline constexpr const char* wear_format = "bem_contact wear 2";
-inline constexpr const char* contact_wear_format = "bem_contact wear of one contact 1"; ///< JSON alone
+inline constexpr const char* contact_wear_format = "bem_contact wear of one contact 1";
+inline constexpr const char* study_format = "bem_contact study 1";
 inline constexpr const char* numbers_format = "conformal-contact influence numbers 2";
 
 /// A kind of file that stands for itself.
@@ -40,6 +41,8 @@ inline constexpr FileKind file_kinds[] = {
      "fatigue"},
     {table_format, "A table of contact forces"},
     {wear_format, "Wear of a rail and a wheel, step by step", "wear"},
+    {contact_wear_format, "What one contact wears away", "", "the wear of one contact", "wear"},
+    {study_format, "A study: all answers to one scene", "study", "the answers of a study", "study"},
     {numbers_format, "Plain influence numbers"},
 };
 

@@ -188,6 +188,50 @@ const addScene = () => {
     }
 };
 
+const TITLE_OF = {result: "Contact of wheel and rail", comparison: "Comparison of models", sweep: "Sweep", "creep curves": "Creep curves",
+                  conicity: "Conicity", wheelset: "Wheelset", wear: "Wear", profile: "Profile", study: "Study"};
+
+const linesOf = texts => texts.text.split("\n");
+
+const partsOf = study => Object.entries(study.parts).sort(([, a], [, b]) => a.study_order.values[0] - b.study_order.values[0]);
+
+/// What was taken, which part said what, and the numbers that people look at first.
+const addStudyHead = () => {
+  addTable("What all answers rest on", ["key", "value", "unit", ""], Object.entries(data.taken).map(([key, {attributes: {value, unit, given}}]) =>
+    [key, value, unitText(unit), given === 1 ? "given" : "by default"]), {numbers: [], id: "taken"});
+  addTable("Parts", ["part", "", "s", "what went wrong"], partsOf(data).map(([name, part]) =>
+    [`${name}: ${part.attributes.study_title}`, part.attributes.study_status, part.study_seconds.values[0].toFixed(1), part.study_errors.text]),
+    {numbers: [2], id: "parts"});
+  const names = linesOf(data.headline_names), units = linesOf(data.headline_units), meanings = linesOf(data.headline_meanings);
+  const {value, element_error: elements, input_spread: inputs} = data.headline, drawn = inputs.values.some(v => v !== null);
+  const spread = v => v === null ? "–" : number(Number(v.toPrecision(2)));
+  addTable("Numbers, each with its error by the size of the elements" + (drawn ? " and its standard deviation by the inputs" : ""),
+    ["part", "number", "value", "elements", ...(drawn ? ["inputs"] : []), "unit", ""], linesOf(data.headline_parts).slice(0, value.values.length).map((part, k) =>
+      [part, names[k], number(value.values[k]), spread(elements.values[k]), ...(drawn ? [spread(inputs.values[k])] : []),
+       units[k] === "1" ? "" : unitText(units[k]), meanings[k]]), {numbers: drawn ? [2, 3, 4] : [2, 3], id: "headline", wide: true});
+};
+
+const addStudy = () => {
+  const study = data;
+  addStudyHead();
+  for (const [name, part] of partsOf(study)) {
+    const {study_title: title, study_page: of, study_status: status} = part.attributes;
+    add("h1", `${title}: ${status}`);
+    if (part.study_errors.text)
+      add("p", part.study_errors.text);
+    if (of) {
+      [data, report.kind, idPrefix] = [part, of, `${name}-`];
+      add("p", sceneInWords().join(" "));
+      ADDED[of]();
+    } else if (part.attributes.format)
+      add("p", `Its tables are in ${name}*.csv and study.h5.`);
+  }
+  [data, report.kind, idPrefix] = [study, "study", ""];
+};
+
+const ADDED = {result: addResult, comparison: addComparison, sweep: addSweep, "creep curves": addCreepCurves, conicity: addConicity, wheelset: addWheelset,
+               wear: addWear, profile: addProfile, study: addStudy};
+
 /// The library is kept compressed in the page.
 const loadLibrary = async () => {
   const bytes = Uint8Array.from(atob(document.getElementById("library").textContent), c => c.charCodeAt(0));
@@ -219,11 +263,10 @@ const draw = async ([frame, {traces, layout, height, frames}]) => {
 
 const start = async () => {
   document.title = `${report.file}: bem_contact report`;
-  add("h1", `${{result: "Contact of wheel and rail", comparison: "Comparison of models", sweep: "Sweep", "creep curves":
-                "Creep curves", conicity: "Conicity", wheelset: "Wheelset", wear: "Wear", profile: "Profile"}[report.kind]}: ${report.file}`);
-  add(report.kind === "profile" ? "pre" : "p", report.kind === "profile" ? data.attributes.words : sceneInWords().join(" "), page, {id: "words"});
-  ({result: addResult, comparison: addComparison, sweep: addSweep, "creep curves": addCreepCurves, conicity: addConicity, wheelset: addWheelset,
-    wear: addWear, profile: addProfile})[report.kind]();
+  add("h1", `${TITLE_OF[report.kind]}: ${report.file}`);
+  if (report.kind !== "study")
+    add(report.kind === "profile" ? "pre" : "p", report.kind === "profile" ? data.attributes.words : sceneInWords().join(" "), page, {id: "words"});
+  ADDED[report.kind]();
   addScene();
   add("p", `${data.attributes?.program ?? "bem_contact"}. x is the direction of rolling, y points to the right (left wheel: to the left), z down; s runs along the rail's ` +
       "profile, n into the rail. Forces are those on the rail. Figures: plotly.js (MIT licence), © Plotly, Inc.",

@@ -41,7 +41,10 @@ std::string page_of(const Record& file, const std::filesystem::path& path) {
 bool left_out(std::string_view path) {
   if (!path.starts_with("data/"))
     return false;
-  const std::string_view name = path.substr(5);
+  std::string_view name = path.substr(5);
+  if (name.starts_with("parts/")) // of a study
+    name =
+        name.substr(std::min(name.size(), name.find('/', 6))).substr(name.find('/', 6) == name.npos ? 0 : 1);
   constexpr std::array fields{
       "u_x",           "u_s",   "u_n", "friction_work_density", "friction_work", "deformed_distance",
       "largest_shear", "stress"};
@@ -89,8 +92,12 @@ Record report_data(const std::filesystem::path& file) {
   if (kind != "sweep")
     data = record::in_todays_layout(record::read_hdf5(file));
   Record out{{"kind", record::Text{kind}}, {"file", record::Text{file.filename().string()}}};
-  if (kind == "wear")
-    out.add("steps", worn_profiles(file, static_cast<int>(record::values_at(data, "step").size()) - 1));
+  const bool study = kind == "study";
+  if (kind == "wear" || (study && record::has(data, "parts/wear/step")))
+    out.add("steps",
+            worn_profiles(
+                study ? file.parent_path() / "parts" / "wear" / "wear.h5" : file,
+                static_cast<int>(record::values_at(data, study ? "parts/wear/step" : "step").size()) - 1));
   return out.add("data", std::move(data));
 }
 

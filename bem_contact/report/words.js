@@ -1,9 +1,11 @@
 // Words and tables of the page. They need no library.
 const page = document.getElementById("page"), whole = JSON.parse(document.getElementById("data").textContent);
-const {kind, file} = whole.attributes, data = whole.data;
+const {kind, file} = whole.attributes;
+let data = whole.data; // of a study: that of the part which is added
 const report = {kind, file, steps: Object.entries(whole.steps ?? {}).map(([step, {rail, wheel}]) => ({step: Number(step), rail: rows(rail), wheel: rows(wheel)}))};
 if (data.profiles)
   data.profiles = Object.values(data.profiles).map(p => ({name: p.attributes.name, y: p.y.values, z: p.z.values, curvature: p.curvature.values}));
+let idPrefix = ""; // of a part of a study: ids are unique
 const figures = []; // [element, figure]: drawn once the library is there
 
 const failed = error => {
@@ -21,7 +23,7 @@ const addFigure = (id, caption, figure) => {
   if (!figure)
     return;
   const block = add("div", "", page, {className: "block"});
-  const frame = add("div", "", block, {id, className: id.startsWith("solid") ? "figure solid" : "figure"});
+  const frame = add("div", "", block, {id: idPrefix + id, className: id.startsWith("solid") ? "figure solid" : "figure"});
   add("div", "", frame, {className: "drawing"});
   add("p", caption, block, {className: "caption"});
   figures.push([frame, figure]);
@@ -64,7 +66,7 @@ const unitText = unit => unit.replace(/mm\^?2/g, "mmÂ²").replace(/mm\^?3/g, "mmÂ
 
 /// A table; the cells numbered `numbers` from the left, or all of them, are numbers.
 const addTable = (caption, head, lines, {parent = page, numbers, id = "", wide = false} = {}) => {
-  const table = add("table", "", parent, {id, className: !wide ? "" : head.length > 10 ? "wide widest" : "wide"});
+  const table = add("table", "", parent, {id: id && idPrefix + id, className: !wide ? "" : head.length > 10 ? "wide widest" : "wide"});
   add("caption", caption, table);
   const fill = (row, kind, cells) => cells.forEach((cell, k) =>
       add(kind, cell, row, {className: !numbers || numbers.includes(k) ? "number" : ""}));

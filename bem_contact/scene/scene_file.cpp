@@ -4,6 +4,7 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "bem_contact/scene/command_tables.hpp"
 #include "bem_contact/scene/scene_keys.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 
@@ -44,8 +45,9 @@ struct SceneReader::State {
 
   State(const SceneText& given, std::span<const SceneChange> changes) {
     file.folder = given.folder;
-    schema.skip("sweep");
-    schema.skip("table");
+    for (const std::string_view table : command_tables)
+      schema.skip(std::string(table));
+    schema.share("wear");
     schema.read(given.toml, given.source);
     for (const SceneChange& change : changes)
       schema.set(change.key, change.value, change.line);
@@ -215,6 +217,12 @@ std::string unit_of_key(std::string_view key) {
   SceneFile file;
   SceneKeysAsRead read;
   return scene_schema(file, read).unit(key);
+}
+
+std::vector<std::string> keys_of_table(std::string_view table) {
+  SceneFile file;
+  SceneKeysAsRead read;
+  return scene_schema(file, read).keys_of(table);
 }
 
 std::string scene_with_defaults(const SceneFile& scene) {

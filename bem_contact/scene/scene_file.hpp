@@ -261,6 +261,8 @@ SceneFile read_scene_file(const std::filesystem::path& file, std::span<const Sce
 SceneFile parse_scene_file(SceneText given, std::span<const SceneChange> changes = {});
 /// A scene file with every key: default, unit and meaning.
 std::string default_scene_file();
+/// The keys of a table of scenes, without its name ("speeds" of "wear"); empty: scenes have no such table.
+std::vector<std::string> keys_of_table(std::string_view table);
 /// The unit of a key of scenes, "" for none.
 std::string unit_of_key(std::string_view key);
 /// A scene as a file with the value of every key, defaults included: reading it gives the same scene, in this

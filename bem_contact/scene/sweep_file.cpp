@@ -34,7 +34,7 @@ double rounded(double value) {
 
 struct Reader {
   SweepFile& sweep;
-  std::string_view section; ///< "sweep", or "table", which has axes alone
+  std::string_view section; ///< "sweep", or "table", which has axes and options of the command
   int table_line = 0;       ///< of sweep.table
 
   [[noreturn]] void refuse(int line, const std::string& problem, const std::string& why,
@@ -61,6 +61,8 @@ struct Reader {
         sweep.axes.push_back({key, range(*inner, key, line), line, true});
       else if (inner)
         this->table(*inner, key);
+      else if (!is_sweep && prefix.empty() && !inner && !node.is_array())
+        continue; // an option of the command table
       else if (const toml::array* list = node.as_array())
         sweep.axes.push_back({key, values(*list, key, line), line});
       else

@@ -72,7 +72,8 @@ bool has_sweep(const SceneText& given);
 /// Throws InputError for a file without [sweep], an empty or endless range, a zip of lists of unequal
 /// lengths, or a key that no scene has.
 SweepFile read_sweep_file(const std::filesystem::path& file);
-/// `section`: the table that has the lists. "table" (bem_contact table) has lists alone, no mode or weight.
+/// `section`: the table that has the lists. "table" (bem_contact table) has no mode or weight; its single
+/// values are options of that command, and are passed over.
 SweepFile parse_sweep_file(SceneText given, std::string_view section = "sweep");
 
 /// Parses a scene of every value that these cases have, and all of them of a zip, so that wrong input is

@@ -51,5 +51,21 @@ TEST(Progress, never_passes_its_total) {
   EXPECT_THAT(out.str(), StartsWith("none: 1/1 "));
 }
 
+/// Work that turns out to be more, stage by stage, is one bar: a line for a stage at most.
+TEST(Progress, grows_with_its_work) {
+  std::ostringstream out;
+  Progress progress("contacts", 10, out, false);
+  for (int stage = 0; stage < 28; ++stage) {
+    if (stage > 0)
+      progress.extend(10);
+    for (int i = 0; i < 10; ++i)
+      progress.step();
+  }
+  progress.finish();
+  const std::string text = out.str();
+  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 9 + 28);
+  EXPECT_THAT(text, HasSubstr("contacts: 280/280 "));
+}
+
 } // namespace
 } // namespace bem_contact

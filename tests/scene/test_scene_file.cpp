@@ -1,6 +1,7 @@
 #include "bem_contact/scene/scene_file.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/scene/command_tables.hpp"
 #include "tests/base/message.hpp"
 
 #include <filesystem>
@@ -362,6 +363,27 @@ TEST(SceneFile, TheAccuracyIsOfTheQuantitiesNamed) {
   EXPECT_THAT(refusal(wheel + "solver.model_tolerance_of = 'forces, pmx'"),
               AllOf(HasSubstr(":4: solver.model_tolerance_of = "), HasSubstr("'pmx' is unknown"),
                     HasSubstr("Did you mean \"pmax\"?")));
+}
+
+/// No scene depends on them, and what depends on one of them does not on the others.
+TEST(SceneFile, TablesOfCommandsArePassedOver) {
+  const std::string wheel = "rail.profile = '60E1'\nwheel.profile = 'S1002'\nload.force = 1e5\n";
+  const SceneFile plain = parse_scene_file(wheel);
+  const std::string tables = "[conicity]\nto = 3 # mm\n[creep_curves]\nxi = 'auto'\n[wear]\ndepth = 0.2\n"
+                             "speeds = [200]\npressures = [2000]\ncoefficients = [1e-4, 2e-4, 3e-4, 4e-4]\n";
+  SceneFile with = parse_scene_file(wheel + tables);
+  EXPECT_THAT(with.unused, IsEmpty());
+  EXPECT_THAT(with.wear.speeds, ElementsAre(200));
+  with.wear = {};
+  EXPECT_EQ(scene_with_defaults(with), scene_with_defaults(plain));
+  EXPECT_THAT(refusal(wheel + "[conicty]\nto = 3\n"), HasSubstr("Did you mean conicity"));
+
+  const auto text = [&](const std::string& more) { return text_for({wheel + more}, {"conicity"}); };
+  EXPECT_EQ(text(tables), text("conicity.to = 3"));
+  EXPECT_NE(text(tables), text("conicity.to = 4"));
+  EXPECT_NE(text(tables), text("conicity.to = 3\nmotion.xi = 1e-3"));
+  EXPECT_EQ(text_for({wheel + "wear.depth = 1"}, {"wear"}, {"wear.depth"}),
+            text_for({wheel + "wear.depth = 2"}, {"wear"}, {"wear.depth"}));
 }
 
 } // namespace bem_contact

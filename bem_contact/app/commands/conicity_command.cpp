@@ -142,11 +142,12 @@ ExitCode run(const ConicityArguments& arguments) {
 void add_keys(CLI::App& line, const std::shared_ptr<ConicityArguments>& arguments) {
   const auto profile = [&](const char* option, const char* key, const char* what) {
     line.add_option_function<std::string>(
-        option,
-        [=](const std::string& name) {
-          arguments->changes.push_back({key, from_here(name)});
-        },
-        what);
+            option,
+            [=](const std::string& name) {
+              arguments->changes.push_back({key, from_here(name)});
+            },
+            what)
+        ->configurable(false); // the scene has a key for it
   };
   profile("--wheel", "wheel.profile", "Standard or profile file of the wheels");
   profile("--rail", "rail.profile", "Standard or profile file of the rails");
@@ -157,6 +158,7 @@ void add_keys(CLI::App& line, const std::shared_ptr<ConicityArguments>& argument
               arguments->changes.push_back({key, value});
             },
             what)
+        ->configurable(false)
         ->check([](const std::string& text) {
           const std::optional<double> fraction = fraction_of(text);
           return fraction ? fmt::format("{} is a fraction: write {:.6g}", text, *fraction) : std::string();
@@ -181,7 +183,8 @@ Command add_conicity(CLI::App& program) {
   add_keys(*line, arguments);
   const auto left = [&](const char* option, std::string LeftProfiles::*member, const char* what) {
     line->add_option_function<std::string>(
-        option, [=](const std::string& name) { arguments->left.*member = from_here(name); }, what);
+            option, [=](const std::string& name) { arguments->left.*member = from_here(name); }, what)
+        ->configurable(false);
   };
   left("--left-wheel", &LeftProfiles::wheel,
        "The left wheel, if it has another profile (y to the field side)");

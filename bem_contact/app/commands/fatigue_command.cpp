@@ -22,7 +22,7 @@ namespace bem_contact::app {
 namespace {
 
 constexpr const char* fatigue_help =
-    R"(Every case of the table [sweep] is solved. Each patch gets one line: its point in the shakedown diagram (p0/k and mu
+    R"(Every case of the table [sweep] is solved (without one: the scene). Each patch gets one line: its point in the shakedown diagram (p0/k and mu
 used), FI_surf of the patch and of its worst element, T-gamma, and the damage of one passage. Each case has the largest von
 Mises and Tresca stress below the surface with its depth. Example:
     bem_contact fatigue data/scenes/wear_collective.toml --csv fatigue.csv
@@ -37,7 +37,8 @@ struct FatigueArguments {
 };
 
 ExitCode run(const FatigueArguments& arguments) {
-  const SweepFile sweep = read_sweep_file(arguments.scene);
+  const SceneText text = read_scene_text(arguments.scene);
+  const SweepFile sweep = has_sweep(text) ? parse_sweep_file(text) : SweepFile{text}; // one case
   check_values(sweep);
   require_named_outputs(files_read(arguments.scene, sweep),
                         {{"--output", arguments.output, OutputForm::whole_file}, {"--csv", arguments.csv}});
@@ -71,7 +72,7 @@ Command add_fatigue(CLI::App& program) {
   const auto arguments = std::make_shared<FatigueArguments>();
   FatigueArguments& a = *arguments;
   CLI::App* line = program.add_subcommand("fatigue", "Rolling contact fatigue of each case of a sweep");
-  line->add_option("scene", a.scene, "Scene file (TOML) with a table [sweep]")->required();
+  line->add_option("scene", a.scene, "Scene file (TOML), perhaps with a table [sweep]")->required();
   add_json(*line, a.json);
   add_output_option(*line, "--csv", a.csv, "Write one line for each patch to this file");
   add_output_option(*line, "-o,--output", a.output, "Write the same with units and the scene (HDF5)");

@@ -245,12 +245,13 @@ std::vector<table::PointValues> points_in(const std::filesystem::path& file, std
 
 /// Solves points in `jobs` processes side by side. `make` gives a solver with a Sequence of its own. Which
 /// points start from which others does not depend on `jobs`.
-table::PointsSolver side_by_side(std::function<table::PointSolver()> make, int jobs, std::size_t columns) {
-  return [make = std::move(make), jobs, columns](std::span<const table::Point> points) {
+table::PointsSolver side_by_side(std::function<table::PointSolver()> make, int jobs, std::size_t columns,
+                                 std::optional<Progress>& progress) {
+  return [make = std::move(make), jobs, columns, &progress](std::span<const table::Point> points) {
     std::vector<table::PointValues> out(points.size());
     if (points.empty())
       return out;
-    Progress progress("contacts", points.size());
+    progress ? progress->extend(points.size()) : void(progress.emplace("contacts", points.size()));
     const TemporaryFolder folder;
     const auto file = [&](CaseRange chunk) { return folder / fmt::format("{}", chunk.first); };
     const std::size_t length = chunk_size(points.size()), processes = processes_of(jobs);
@@ -270,9 +271,8 @@ table::PointsSolver side_by_side(std::function<table::PointSolver()> make, int j
         refuse_point(points[std::min(end.cases.first + found.size(), end.cases.last - 1)], end,
                      said_in(file(end.cases).string() + ".error"));
       std::ranges::copy(found, out.begin() + static_cast<std::ptrdiff_t>(end.cases.first));
-      progress.step(end.cases.size());
+      progress->step(end.cases.size());
     }
-    progress.finish();
     return out;
   };
 }
@@ -296,8 +296,12 @@ ExitCode run(TableArguments arguments) {
                         {{"--output", arguments.output, OutputForm::whole_file}, {"--text", arguments.text}});
   arguments.wanted.progress = [](const std::string& text) { spdlog::info("the table has {}", text); };
   const Stopwatch watch;
-  table::refine(order.table, side_by_side(order.make_solver, arguments.jobs, order.table.columns.size()),
+  std::optional<Progress> progress;
+  table::refine(order.table,
+                side_by_side(order.make_solver, arguments.jobs, order.table.columns.size(), progress),
                 arguments.wanted);
+  if (progress)
+    progress->finish();
   const double seconds = watch.seconds();
   if (!arguments.output.empty()) {
     const record::Record head =
@@ -318,7 +322,8 @@ Command add_table(CLI::App& program) {
   TableArguments& a = *arguments;
   CLI::App* line = program.add_subcommand("table", "Tables of forces to look up, with measured errors");
   line->add_option("input", a.input, "Scene file (TOML) with a table [table]; with --at a table (HDF5)");
-  line->add_flag("--creep-forces", a.creep, "Forces of an ellipse over its creepages, instead of a scene");
+  line->add_flag("--creep-forces", a.creep, "Forces of an ellipse over its creepages, instead of a scene")
+      ->configurable(false);
   add_output_option(*line, "-o,--output", a.output, "The table (HDF5)");
   add_output_option(*line, "--text", a.text,
                     "The same as plain text (bem_contact/uses/table/table_file.hpp)");
@@ -327,15 +332,21 @@ Command add_table(CLI::App& program) {
       ->capture_default_str();
   line->add_option("--most-points", a.wanted.most_points, "Refuse a table with more points")
       ->capture_default_str();
-  line->add_option("--ratio", a.ratio, "Creep forces: FROM:TO of a/b")->capture_default_str();
-  line->add_option("--poisson", a.options.poisson, "Creep forces: Poisson's ratio")->capture_default_str();
+  line->add_option("--ratio", a.ratio, "Creep forces: FROM:TO of a/b")
+      ->configurable(false)
+      ->capture_default_str();
+  line->add_option("--poisson", a.options.poisson, "Creep forces: Poisson's ratio")
+      ->configurable(false)
+      ->capture_default_str();
   line->add_option("--elements", a.options.elements, "Creep forces: elements across each axis of the ellipse")
+      ->configurable(false)
       ->capture_default_str();
   add_model(*line, a.model);
   add_jobs(*line, a.jobs);
   add_json(*line, a.json);
   line->add_option("--at", a.at,
-                   "Print the values of a table at a point, with the error of the interpolation");
+                   "Print the values of a table at a point, with the error of the interpolation")
+      ->configurable(false);
   line->footer(table_help);
   return {line, [arguments] { return run(*arguments); }};
 }

@@ -3,6 +3,7 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/base/sha256.hpp"
+#include "bem_contact/scene/command_tables.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -59,7 +60,7 @@ GivenScene given_sweep(const SweepFile& sweep, const std::string& model) {
 
 std::string digest_of(const SweepFile& sweep, const std::string& options) {
   std::string all = provenance("bem_contact") + "\n" + std::string(commit()) + "\n" + options + "\n" +
-                    sha256(sweep.text.toml) + "\n";
+                    sha256(text_for(sweep.text, {"sweep"})) + "\n";
   for (const std::string& name : input_paths(sweep))
     all += sha256_of_file(name) + "\n";
   return sha256(all);

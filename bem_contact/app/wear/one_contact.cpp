@@ -1,7 +1,9 @@
 #include "bem_contact/app/wear/one_contact.hpp"
 
+#include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/json.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/sequence/sequence.hpp"
@@ -64,8 +66,7 @@ std::string text_of(const WornContact& w) {
       amount(r.mgt_rail_area), r.axle_load);
 }
 
-record::Record record_of_all(const std::vector<WornContact>& all) {
-  record::Record out = headed(contact_wear_format);
+record::Record record_of_all(record::Record out, const std::vector<WornContact>& all) {
   for (const WornContact& w : all)
     if (w.name.empty())
       out.append(record_of(w.rates, w.wear));
@@ -77,11 +78,15 @@ record::Record record_of_all(const std::vector<WornContact>& all) {
 } // namespace
 
 ExitCode wear_of_one_contact(const OneContactWear& asked) {
+  const GivenScene given =
+      read_given_scene_for({{"--output", asked.output, OutputForm::whole_file}}, asked.file, asked.model);
   const wear::Law law =
-      wear::law_named(asked.law.law, asked.law.hardness, asked.law.speed, wear::wear_map_of(asked.scene));
-  const std::vector<WornContact> all = worn_contacts(asked.scene, law);
+      wear::law_named(asked.law.law, asked.law.hardness, asked.law.speed, wear::wear_map_of(given.scene));
+  const std::vector<WornContact> all = worn_contacts(given.scene, law);
+  if (!asked.output.empty())
+    record::write_hdf5(asked.output, record_of_all(headed(contact_wear_format, given, asked.output), all));
   if (asked.json)
-    fmt::print("{}\n", record::to_json(record_of_all(all)));
+    fmt::print("{}\n", record::to_json(record_of_all(headed(contact_wear_format), all)));
   else
     for (const WornContact& w : all)
       fmt::print("{}", text_of(w));

@@ -3,11 +3,14 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/uses/wear/study.hpp"
 
+#include <string>
+
 namespace bem_contact::app {
 
 /// How `wear` was asked of a scene without a table [sweep].
 struct OneContactWear {
-  SceneFile scene;
+  std::string file, model; ///< scene file, and the option --model
+  std::string output;      ///< result file (HDF5); "": none
   bool json = false;
   wear::StudyOptions law = {}; ///< of it: law, hardness and speed
 };

@@ -16,6 +16,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <memory>
 
 namespace bem_contact::app {
@@ -49,11 +50,13 @@ struct WearArguments {
   bool json = false;
   wear::StudyOptions study;
 
-  /// All that the result depends on but --depth and --influence: a run may go deeper later.
-  std::string digest_text() const {
+  /// All that the result depends on but the cases, --depth and --influence: a run may go deeper later.
+  std::string digest_text(const SceneFile::Wear& map) const {
     const wear::EvolutionOptions& steps = study.steps;
-    return fmt::format("wear 2 {} {} {} {} {} {} {} {} {}", model, study.law, study.body, study.hardness,
-                       study.speed, steps.cap, steps.smoothing, steps.passages, steps.kept_turn);
+    return fmt::format("wear 2 {} {} {} {} {} {} {} {} {} {} {} {}", model, study.law, study.body,
+                       study.hardness, study.speed, steps.cap, steps.smoothing, steps.passages,
+                       steps.kept_turn, fmt::join(map.speeds, ","), fmt::join(map.pressures, ","),
+                       fmt::join(map.coefficients, ","));
   }
 };
 
@@ -73,6 +76,10 @@ void warn_of_smoothing(const std::vector<wear::WearRow>& history) {
                       100 * most)});
 }
 
+bool is_file_of_one_contact(const std::filesystem::path& output) {
+  return output.extension() == ".h5";
+}
+
 /// Refuses a folder for one contact, and a study without one.
 void require_folder(const WearArguments& arguments, bool study) {
   if (study && arguments.output.empty())
@@ -82,9 +89,9 @@ void require_folder(const WearArguments& arguments, bool study) {
   if (study && arguments.json)
     throw InputError("A wear study has no --json", "its tables are wear.csv and wear.h5 in the folder",
                      "Leave it out.");
-  if (!study && !arguments.output.empty())
+  if (!study && !arguments.output.empty() && !is_file_of_one_contact(arguments.output))
     throw InputError("There is no wear study", "the scene has no table [sweep] with a load collective",
-                     "Give one, or leave out --output for the wear of one contact.");
+                     "Give one, or a result file (-o FILE.h5) for the wear of one contact.");
 }
 
 ExitCode study(const WearArguments& arguments, const SceneText& scene);
@@ -96,7 +103,7 @@ ExitCode run(const WearArguments& arguments) {
   if (arguments.study.law == "archard" && arguments.study.speed < least_speed)
     warn({fmt::format("--speed {:g} mm/s is below walking pace: give it in mm/s", arguments.study.speed)});
   return is_study ? study(arguments, scene)
-                  : wear_of_one_contact({with_model(parse_scene_file(scene), arguments.model), arguments.json,
+                  : wear_of_one_contact({arguments.scene, arguments.model, arguments.output, arguments.json,
                                          arguments.study});
 }
 
@@ -104,7 +111,7 @@ ExitCode study(const WearArguments& arguments, const SceneText& scene) {
   const SweepFile sweep = parse_sweep_file(scene);
   check_values(sweep);
   const wear::Study study = wear::study_of(sweep, arguments.model, arguments.study);
-  const std::string digest = digest_of(sweep, arguments.digest_text());
+  const std::string digest = digest_of(sweep, arguments.digest_text(study.scene().wear));
   const std::filesystem::path folder = arguments.output;
   make_folder(folder);
   const LockFile lock(folder / lock_file_name, "Wait for it, or give another folder.");
@@ -147,8 +154,10 @@ Command add_wear(CLI::App& program) {
   CLI::App* line = program.add_subcommand(
       "wear", "Let profiles wear under a load collective, or what one contact wears away");
   line->add_option("scene", a.scene, "Scene file (TOML); with a table [sweep]: a study")->required();
-  add_output_option(*line, "-o,--output", a.output,
-                    "Folder of the profiles and tables of a study: a new or empty one, or one to go on in");
+  add_output_option(
+      *line, "-o,--output", a.output,
+      "Folder of the profiles and tables of a study: a new or empty one, or one to go on in; of "
+      "one contact a result file (.h5)");
   add_json(*line, a.json);
   const CLI::Range positive(1e-6, 1e6);
   const auto number = [&](const char* name, double& value, const char* what) {

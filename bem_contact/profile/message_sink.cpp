@@ -1,11 +1,11 @@
-#include "bem_contact/app/output/message_sink.hpp"
+#include "bem_contact/profile/message_sink.hpp"
 
 #include <cstdio>
 #include <memory>
 #include <spdlog/spdlog.h>
 #include <utility>
 
-namespace bem_contact::app {
+namespace bem_contact {
 
 namespace {
 
@@ -46,4 +46,4 @@ std::shared_ptr<MessageSink> install_message_sink() {
   return sink;
 }
 
-} // namespace bem_contact::app
+} // namespace bem_contact

@@ -1,0 +1,176 @@
+#include "bem_contact/app/study/input_spread.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/progress.hpp"
+#include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/scene/sweep_file.hpp"
+#include "bem_contact/uses/wear/worn_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <numbers>
+#include <ostream>
+#include <random>
+#include <sstream>
+
+namespace bem_contact::app {
+
+namespace {
+
+/// mm. Distance of the points along a profile that is given by no points: instruments measure about as
+/// densely.
+constexpr double drawn_spacing = 0.2;
+/// 1. A drawn coefficient of friction is no smaller: nothing rolls on less.
+constexpr double least_drawn_friction = 0.01;
+
+/// Normal numbers of deviation 1 (Box and Muller 1958): the standard library's differ from one to another.
+class NormalDraws {
+public:
+  explicit NormalDraws(int seed) : bits_(static_cast<std::uint64_t>(seed)) {}
+  double next() {
+    const double radius = std::sqrt(-2 * std::log(1 - uniform()));
+    return radius * std::cos(2 * std::numbers::pi * uniform());
+  }
+
+private:
+  double uniform() { return static_cast<double>(bits_() >> 11) * 0x1p-53; } // [0, 1)
+  std::mt19937_64 bits_;
+};
+
+/// The profile with noise along its normals, as points with which a scene goes on.
+std::vector<Point2> noisy_points(const SceneFile::Side& side, ProfileKind kind,
+                                 const std::filesystem::path& folder, double noise, NormalDraws& draws) {
+  const ProfileCurve curve = named_profile(side.profile, kind, folder, side.reading);
+  const double length = curve.s_end() - curve.s_begin();
+  const int steps = std::max(8, static_cast<int>(length / drawn_spacing));
+  std::vector<Point2> out;
+  for (int i = 0; i <= steps; ++i) {
+    const CurvePoint at = curve.at(i == steps ? curve.s_end() : curve.s_begin() + length * i / steps);
+    const double off = noise * draws.next();
+    out.push_back({at.position.y - off * std::sin(at.delta), at.position.z + off * std::cos(at.delta)});
+  }
+  return out;
+}
+
+void add_noisy_profile(const char* name, const SceneFile::Side& side, ProfileKind kind,
+                       const SceneFile& scene, const std::filesystem::path& folder, double noise,
+                       NormalDraws& draws, std::vector<SceneChange>& changes) {
+  const std::vector<Point2> points = noisy_points(side, kind, scene.folder, noise, draws);
+  const std::filesystem::path file = std::filesystem::absolute(folder / fmt::format("{}.txt", name));
+  wear::write_profile(file, points);
+  const double smoothing =
+      side.reading.smoothing > 0 ? side.reading.smoothing : measure_noise(points).smoothing;
+  changes.push_back({fmt::format("{}.profile", name), file.string()});
+  changes.push_back({fmt::format("{}.profile_z", name), std::string("down")});
+  changes.push_back({fmt::format("{}.smoothing", name), smoothing});
+}
+
+/// What a draw changes. Each draw takes the same count of random numbers for the same inputs.
+std::vector<SceneChange> changes_of_draw(const StudyCase& study, const SceneFile& scene,
+                                         const std::filesystem::path& folder, NormalDraws& draws) {
+  const Uncertainty& u = study.uncertainty;
+  std::vector<SceneChange> out;
+  if (u.friction > 0)
+    out.push_back({"motion.friction",
+                   std::max(least_drawn_friction, scene.motion.friction + u.friction * draws.next())});
+  if (u.load > 0) {
+    const bool axle = scene.wheelset.force.has_value();
+    const std::optional<double> load = axle ? scene.wheelset.force : scene.load.force;
+    if (!load)
+      throw InputError("uncertainty.load has nothing to scatter",
+                       "neither load.force nor wheelset.force is given",
+                       "Give one of them, or leave it out.");
+    out.push_back({axle ? "wheelset.force" : "load.force", std::max(1.0, *load + u.load * draws.next())});
+  }
+  if (u.lateral > 0)
+    out.push_back({"position.lateral", scene.position.lateral + u.lateral * draws.next()});
+  if (u.profile_noise > 0) {
+    add_noisy_profile("rail", scene.rail, ProfileKind::rail, scene, folder, u.profile_noise, draws, out);
+    add_noisy_profile("wheel", scene.wheel, ProfileKind::wheel, scene, folder, u.profile_noise, draws, out);
+  }
+  return out;
+}
+
+std::vector<std::string> drawn_parts(const StudyCase& study) {
+  std::vector<std::string> out;
+  std::istringstream names(study.uncertainty.parts);
+  for (std::string name; std::getline(names >> std::ws, name, ',');) {
+    name.erase(name.find_last_not_of(" \t") + 1);
+    const Part* part = part_named(name);
+    if (!part || !part->asked(study)) {
+      std::vector<std::string> known;
+      for (const Part& one : all_parts())
+        if (one.asked(study))
+          known.emplace_back(one.name);
+      throw InputError(fmt::format("uncertainty.parts has '{}'", name), "the study has no such part",
+                       fmt::format("It has {}.", fmt::join(known, ", ")));
+    }
+    out.push_back(name);
+    if (part->of_one_wheel && study.has("wheelset"))
+      out.emplace_back("wheelset"); // which puts the wheel in its place
+  }
+  return out;
+}
+
+/// The numbers of the headline in one draw: nan where it has none.
+std::vector<double> values_in(const std::vector<HeadlineNumber>& headline,
+                              const std::vector<HeadlineNumber>& drawn) {
+  std::vector<double> out;
+  for (const HeadlineNumber& number : headline) {
+    const auto found = std::ranges::find_if(
+        drawn, [&](const HeadlineNumber& d) { return d.part == number.part && d.name == number.name; });
+    out.push_back(found == drawn.end() ? std::nan("") : found->value);
+  }
+  return out;
+}
+
+void take_spread(std::vector<HeadlineNumber>& headline, const std::vector<std::vector<double>>& draws) {
+  for (std::size_t k = 0; k < headline.size(); ++k) {
+    double sum = 0, squares = 0;
+    int count = 0;
+    for (const std::vector<double>& draw : draws)
+      if (const double off = draw[k] - headline[k].value; std::isfinite(off)) // off: keeps the digits
+        sum += off, squares += off * off, ++count;
+    headline[k].draws = count;
+    if (count >= 2)
+      headline[k].input_spread = std::sqrt(std::max(0.0, (squares - sum * sum / count) / (count - 1)));
+  }
+}
+
+} // namespace
+
+std::vector<std::string> draw_inputs(const StudyCase& study, const StudyFolder& where,
+                                     std::set<std::string>& said, std::vector<HeadlineNumber>& headline) {
+  const SceneText& text = study.text;
+  const SceneFile scene = has_sweep(text) ? parse_sweep_file(text).scene(0) : parse_scene_file(text);
+  const std::vector<std::string> parts = drawn_parts(study);
+  NormalDraws draws(study.uncertainty.seed);
+  std::vector<std::vector<double>> values;
+  int without = 0;
+  Progress progress("draws", study.uncertainty.draws);
+  for (int k = 1; k <= study.uncertainty.draws; ++k) {
+    const std::filesystem::path folder = where.parts() / "draws" / fmt::format("{:04}", k);
+    const std::filesystem::path file = folder / "scene.toml";
+    make_study_folder({file, folder});
+    const std::string_view dropped[] = {"uncertainty", "influence"};
+    const std::string drawn = changed_text(text, changes_of_draw(study, scene, folder, draws), dropped);
+    write_whole(file, [&](std::ostream& out) { out << drawn; });
+    const std::vector<PartResult> results = run_parts(
+        study_case(read_scene_text(file)), {file, folder, where.jobs, parts}, said, [](const auto&) {});
+    without += std::ranges::any_of(results, [](const PartResult& r) { return r.code != 0; });
+    values.push_back(values_in(headline, headline_of(results)));
+    progress.step();
+  }
+  progress.finish();
+  take_spread(headline, values);
+  if (without == 0)
+    return {};
+  return {fmt::format(
+      "{} of {} draws have a part without a certified answer: their numbers are missing in the spread",
+      without, study.uncertainty.draws)};
+}
+
+} // namespace bem_contact::app

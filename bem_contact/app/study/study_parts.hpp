@@ -1,0 +1,61 @@
+#pragma once
+
+#include "bem_contact/app/study/study_case.hpp"
+#include "bem_contact/record/record.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace bem_contact::app {
+
+/// A command as a part of a study.
+struct Part {
+  const char* name;    ///< of its table in the scene, its files and its group
+  const char* title;   ///< what it answers
+  const char* command; ///< "": the program of [influence]
+  bool (*asked)(const StudyCase&);
+  bool of_one_wheel = false; ///< solves no wheelset: it takes the wheel of wheel_text()
+  bool has_jobs = false;     ///< the option --jobs
+};
+
+/// All of them, in the order of their work: a later one may use what an earlier one has found.
+std::span<const Part> all_parts();
+const Part* part_named(std::string_view name); ///< null: none
+
+/// How a part went.
+struct PartResult {
+  const Part* part = nullptr;
+  int code = 0;      ///< ExitCode
+  bool kept = false; ///< was there, and is still true
+  double seconds = 0;
+  std::vector<std::string> errors = {}, warnings = {};
+  std::filesystem::path file; ///< of its result (HDF5); "": it has none
+};
+
+/// "certified", "done", "refused" ...
+std::string status_of(const PartResult& result);
+
+/// Where a study is, and what is wanted of it.
+struct StudyFolder {
+  std::filesystem::path scene;          ///< file of the scene
+  std::filesystem::path folder;         ///< of the answers
+  int jobs = 0;                         ///< processes of a part
+  std::vector<std::string> wanted = {}; ///< parts; empty: all that the scene asks for
+
+  std::filesystem::path parts() const { return folder / "parts"; }
+};
+
+/// Makes the folders. Throws InputError where they cannot be made.
+void make_study_folder(const StudyFolder& where);
+
+/// Runs each part that is asked for and is not there yet. `tell` is called after each. `said`: messages that
+/// have been shown.
+std::vector<PartResult> run_parts(const StudyCase& study, const StudyFolder& folder,
+                                  std::set<std::string>& said,
+                                  const std::function<void(const PartResult&)>& tell);
+
+} // namespace bem_contact::app

@@ -1,0 +1,179 @@
+#include "bem_contact/h5/table.hpp"
+#include "tests/app/run_program.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <set>
+
+namespace {
+
+using namespace bem_contact;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::string wheel_on_rail = R"(kind = "wheel_rail"
+rail.profile = "60E1"
+wheel.profile = "S1002"
+solver.model = "halfspace"
+position.rail_inclination = 0.025
+load.force = 8e4
+motion = { friction = 0.3, xi = 2e-3 }
+grid = { dx = 2.0, ds = 1.5 }
+)";
+
+class Study : public ProgramTest {
+protected:
+  std::string path(const std::string& name) const { return "'" + (folder_ / name).string() + "'"; }
+  Outcome study(const std::string& tables) const {
+    const std::string file = write("case.toml", wheel_on_rail + tables).string();
+    return run("study " + file + " -o " + path("out"));
+  }
+  std::set<std::string> files() const {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_ / "out"))
+      names.insert(entry.path().filename().string());
+    names.erase("study.html"); // only builds that have the plotting library make it
+    return names;
+  }
+  H5Table answers() const { return read_h5(folder_ / "out" / "study.h5"); }
+};
+
+/// Only what is asked; one result file, a page, and a CSV file for each table.
+TEST_F(Study, HasAnAnswerForEachTableAndNoOther) {
+  const Outcome done = study("[conicity]\nto = 3\n[creep_curves]\nxi = \"-1e-3:1e-3:3\"\n");
+  ASSERT_EQ(done.code, 0) << done.out << done.err;
+  EXPECT_THAT(done.out, HasSubstr("by default: "));
+  EXPECT_THAT(done.out, HasSubstr("position.gauge = 1435 mm"));
+  EXPECT_EQ(files(), (std::set<std::string>{"conicity_conicity.csv", "conicity_function.csv",
+                                            "creep_curves_curves_xi.csv", "parts", "solve_patches.csv",
+                                            "study.csv", "study.h5"}));
+  const H5Table all = answers();
+  const H5Table alone = [&] {
+    run("creep-curves " + path("case.toml") + " -o " + path("alone.h5"));
+    return read_h5(folder_ / "alone.h5");
+  }();
+  EXPECT_EQ(all.datasets.at("parts/creep_curves/curves/xi/Fx").values,
+            alone.datasets.at("curves/xi/Fx").values);
+  EXPECT_EQ(all.datasets.at("parts/conicity/conicity/amplitude").values, (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(text_attribute(all, "taken/position.gauge/value"), "1435");
+  const std::string headline = text_of(folder_ / "out" / "study.csv");
+  for (const char* number :
+       {"solve,quantities/pmax,", "conicity,conicity/tan_gamma at 3 mm,", "slopes: dFx/dxi,"})
+    EXPECT_THAT(headline, HasSubstr(number));
+}
+
+/// What is there and still true stays; a part whose own table changes is computed again, and no other.
+TEST_F(Study, ComputesOnlyWhatHasChanged) {
+  ASSERT_EQ(study("[conicity]\nto = 3\n").code, 0);
+  const auto when = [&](const char* part) {
+    return std::filesystem::last_write_time(folder_ / "out" / "parts" / (std::string(part) + ".h5"));
+  };
+  const auto solved = when("solve"), steered = when("conicity");
+  const Outcome again = study("[conicity]\nto = 3\n");
+  EXPECT_THAT(again.out, HasSubstr("as it was"));
+  EXPECT_EQ(when("conicity"), steered);
+  const Outcome farther = study("[conicity]\nto = 4 # mm\n");
+  EXPECT_EQ(when("solve"), solved);
+  EXPECT_NE(when("conicity"), steered);
+  EXPECT_EQ(answers().datasets.at("parts/conicity/conicity/amplitude").values.size(), 4U);
+  write("case.toml", wheel_on_rail + "motion.eta = 1e-3\n"); // of all
+  std::filesystem::remove(folder_ / "out" / "parts" / "conicity.h5");
+  EXPECT_EQ(study("[position]\nlateral = 1\n[conicity]\nto = 4\n").code, 2); // given twice: not TOML
+  EXPECT_EQ(study("[track]\nbase = 1510\n[conicity]\nto = 4\n").code, 0);
+  EXPECT_NE(when("solve"), solved);
+}
+
+/// A part that is refused leaves the others alone; the exit code is the worst.
+TEST_F(Study, GoesOnWhereAPartIsRefused) {
+  const Outcome done = study("[creep_curves]\nxi = \"1:2\"\n[conicity]\nto = 3\n");
+  EXPECT_EQ(done.code, 2);
+  EXPECT_THAT(done.out, HasSubstr("creep_curves  refused"));
+  EXPECT_THAT(done.out, HasSubstr("FROM:TO:COUNT"));
+  const H5Table all = answers();
+  EXPECT_EQ(text_attribute(all, "parts/creep_curves/study_status"), "refused");
+  EXPECT_EQ(text_attribute(all, "parts/solve/study_status"), "done");
+  EXPECT_TRUE(all.datasets.contains("parts/conicity/conicity/tan_gamma"));
+}
+
+/// Both wheels; the parts of one wheel take that to which the wheelset is displaced, where it stands.
+TEST_F(Study, OfAWheelset) {
+  std::string scene = wheel_on_rail;
+  scene.replace(scene.find("load.force = 8e4"), 16, "wheelset.force = 1.6e5\nposition.lateral = 3");
+  scene.replace(scene.find(", xi = 2e-3"), 11, "");
+  const std::string file = write("axle.toml", scene + "[fatigue]\nyield_shear = 350\n[wear]\n").string();
+  const Outcome done = run("study " + file + " -o " + path("out"));
+  ASSERT_EQ(done.code, 0) << done.out << done.err;
+  const H5Table all = answers();
+  const auto number = [&](const char* name) { return all.datasets.at(name).values.at(0); };
+  EXPECT_EQ(number("parts/fatigue/yield_shear"), 350);
+  EXPECT_NEAR(number("parts/fatigue/patches/pmax") / number("parts/wheelset/right/track/pmax"), 1, 1e-3);
+  EXPECT_NEAR(number("parts/wear/right/T_gamma") / number("parts/wheelset/right/track/T_gamma"), 1, 1e-6);
+}
+
+/// The load scatters by 10 %, so Hertz's largest pressure scatters by a third of that.
+TEST_F(Study, SaysWhatTheInputsDo) {
+  const std::string scene = "kind = \"patch\"\nload.force = 1000\nmotion.frictionless = true\n"
+                            "gap = { a = 1e-2, b = 1e-2 }\ngrid = { dx = 0.1, ds = 0.1, mx = 32, ms = 32 }\n"
+                            "solver.model = \"halfspace\"\n[uncertainty]\nload = 100\ndraws = 12\nseed = 3\n";
+  const std::string file = write("case.toml", scene).string();
+  const Outcome done = run("study " + file + " -o " + path("out"));
+  ASSERT_EQ(done.code, 0) << done.out << done.err;
+  const std::string csv = text_of(folder_ / "out" / "study.csv");
+  const auto spread = [&](const std::string& name) {
+    std::istringstream line(csv.substr(csv.find("," + name + ",") + name.size() + 2));
+    std::vector<double> cells;
+    for (std::string cell; cells.size() < 4 && std::getline(line, cell, ',');)
+      cells.push_back(cell.empty() ? 0 : std::stod(cell));
+    EXPECT_EQ(cells.at(3), 12) << name;
+    return cells.at(2) / cells.at(0);
+  };
+  const double of_load = spread("quantities/Fz");
+  EXPECT_GT(of_load, 0.04); // 12 draws
+  EXPECT_LT(of_load, 0.2);
+  EXPECT_NEAR(spread("quantities/pmax") / of_load, 1.0 / 3, 0.03);
+  EXPECT_THAT(done.out, HasSubstr("+- inputs"));
+  run("study " + file + " -o " + path("again"));
+  EXPECT_EQ(text_of(folder_ / "again" / "study.csv"), csv); // the seed says it all
+}
+
+/// A command reads its table, its line comes before it, and it passes over those of the others.
+TEST_F(Study, TablesGiveTheOptionsOfTheirCommands) {
+  const std::string file =
+      write("case.toml",
+            wheel_on_rail + "[conicity]\nto = 2\nstep = 0.5\n[creep_curves]\nxi = \"0:1e-3:2\"\n")
+          .string();
+  EXPECT_THAT(run("conicity " + file + " --json").out, HasSubstr("1.5"));
+  const Outcome line = run("conicity " + file + " --step 1 --csv " + path("c.csv"));
+  EXPECT_THAT(line.out, Not(HasSubstr("1.5 ")));
+  EXPECT_EQ(run("solve " + file).code, 0);
+  const auto refused = [&](const std::string& tables, const std::string& command, const char* words) {
+    const Outcome done = run(command + " " + write("wrong.toml", wheel_on_rail + tables).string());
+    EXPECT_EQ(done.code, 2) << tables;
+    EXPECT_THAT(done.err, HasSubstr(words)) << tables;
+  };
+  refused("[conicity]\nstepp = 1\n", "conicity", "Did you mean conicity.step");
+  refused("[conicity]\nstepp = 1\n", "solve", "wrong.toml:10: unknown key 'conicity.stepp'");
+  refused("[conicity]\nstep = \"wide\"\n", "conicity", "conicity.step cannot be used");
+  refused("[wear]\ndeepth = 1\n", "solve", "Did you mean wear.depth");
+  refused("[fatigues]\n", "solve", "Did you mean fatigue");
+  refused("[uncertainty]\nfricton = 1\n", "study -o " + path("out"), "Did you mean uncertainty.friction");
+  refused("[table]\nposition.lateral = [0, 1]\ntolerence = 0.1\n", "solve", "Did you mean table.tolerance");
+}
+
+/// What `new` writes runs as it is written.
+TEST_F(Study, NewScenesRun) {
+  const std::string file = path("curve.toml");
+  const Outcome made = run("new --wheel S1002 --rail 60E1 --curve 300 --load 80e3 -o " + file);
+  ASSERT_EQ(made.code, 0) << made.err;
+  EXPECT_THAT(text_of(folder_ / "curve.toml"), HasSubstr("curve_radius = -300000"));
+  EXPECT_EQ(run("check " + file).code, 0);
+  EXPECT_EQ(run("new --wheel S1002 --rail 60E1 -o " + file).code, 2); // it is there
+  const Outcome printed = run("new --wheel S1002 --rail 60E1");
+  EXPECT_EQ(printed.code, 0);
+  EXPECT_THAT(printed.out, Not(HasSubstr("curve_radius")));
+  EXPECT_EQ(run("check " + write("straight.toml", printed.out).string() + " --strict").code, 0);
+  EXPECT_EQ(run("new --wheel S1003 --rail 60E1").code, 2);
+}
+
+} // namespace
