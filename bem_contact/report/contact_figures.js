@@ -21,6 +21,7 @@ const contactOf = (name, group) => ({
   rail: group.rail_profile && rows(group.rail_profile),
   wheel: group.wheel_profile && rows(group.wheel_profile),
   state: rows(group.state), pn: rows(group.p_n), px: rows(group.p_x), ps: rows(group.p_s),
+  slipX: group.slip_x && rows(group.slip_x), slipS: group.slip_s && rows(group.slip_s),
 });
 
 /// Whether the rail has no shape that is worth a picture.
@@ -28,6 +29,9 @@ const flat = contact => {
   const size = k => Math.max(...contact.rail.map(p => p[k])) - Math.min(...contact.rail.map(p => p[k]));
   return size(1) <= 0.02 * size(0);
 };
+
+/// Whether wheel and rail can be shown in place.
+const isShaped = contact => Boolean(contact.rail && contact.wheel && contact.y && contact.delta) && !flat(contact);
 
 const sideways = contact => `y to the ${contact.left ? "left" : "right"}, mm`;
 
@@ -73,8 +77,16 @@ const hatching = contact => {
   return {x, y};
 };
 
-/// Traction arrows on some elements; the longest stands for `longest` MPa.
-const arrows = (contact, window) => {
+/// What arrows may show.
+const ARROWS = {shear: {title: "shear traction on the rail", fields: ["px", "ps"], name: longest => `shear, at most ${longest.toPrecision(3)} MPa`},
+                slip: {title: "slip of the wheel over the rail", fields: ["slipX", "slipS"],
+                       name: longest => `slip, at most ${Number(longest.toPrecision(3))}`}};
+
+/// Arrows on some elements; the longest stands for `longest`. `fields`: along x and along s.
+const arrows = (contact, window, fields) => {
+  const [along, across] = fields.map(name => contact[name]);
+  if (!along)
+    return {longest: 0};
   const size = (k, width) => (window[k][1] - window[k][0] + 1) * width;
   const apart = Math.max(size("rows", contact.ds) / 9, size("columns", contact.dx) / 13); // mm, the same along x and s
   const every = [contact.ds, contact.dx].map(width => Math.max(1, Math.round(apart / width)));
@@ -82,7 +94,7 @@ const arrows = (contact, window) => {
   for (let i = window.rows[0] + (every[0] >> 1); i <= window.rows[1]; i += every[0])
     for (let j = window.columns[0] + (every[1] >> 1); j <= window.columns[1]; j += every[1])
       if (contact.state[i][j] !== EXTERIOR)
-        shown.push([contact.x[j], contact.s[i], contact.px[i][j], contact.ps[i][j]]);
+        shown.push([contact.x[j], contact.s[i], along[i][j], across[i][j]]);
   const longest = Math.max(0, ...shown.map(([, , a, b]) => Math.hypot(a, b)));
   const x = [], y = [];
   const scale = 0.9 * apart / longest;
@@ -94,8 +106,8 @@ const arrows = (contact, window) => {
   return {x, y, longest};
 };
 
-/// The patch from above the rail: pressure, adhesion and slip, traction.
-const patchFigure = contact => {
+/// The patch from above the rail: pressure, adhesion and slip, and arrows.
+const patchFigure = (contact, shown = "shear") => {
   const window = extent(contact);
   if (!window)
     return undefined;
@@ -105,7 +117,7 @@ const patchFigure = contact => {
   const range = (middles, [from, to], step) => [middles[from] - 3 * step, middles[to] + 3 * step];
   const x = range(contact.x, window.columns, contact.dx), s = range(contact.s, window.rows, contact.ds);
   const proportion = (s[1] - s[0]) / (x[1] - x[0]), slender = Math.max(proportion, 1 / proportion) > MOST_SLENDER;
-  const arrow = slender ? {longest: 0} : arrows(contact, window);
+  const arrow = slender ? {longest: 0} : arrows(contact, window, ARROWS[shown].fields);
   const traces = [{type: "heatmap", x: contact.x, y: contact.s, z: pressure, colorscale: PRESSURE, zmin: 0,
                    colorbar: {title: {text: "pressure, MPa", side: "right"}, thickness: 14}, hoverongaps: false,
                    hovertemplate: "x %{x:.3f} mm<br>s %{y:.3f} mm<br>%{z:.1f} MPa<extra></extra>"}];
@@ -118,8 +130,7 @@ const patchFigure = contact => {
   traces.push(line(outline(contact, state => state !== EXTERIOR), "contact", {color: INK, width: 2}));
   if (arrow.longest > 0) {
     traces.push(line(arrow, "", {color: "#ffffff", width: 4.5}, {showlegend: false}));
-    traces.push(line(arrow, `shear, at most ${arrow.longest.toPrecision(3)} MPa`,
-                     {color: INK, width: 1.8}));
+    traces.push(line(arrow, ARROWS[shown].name(arrow.longest), {color: INK, width: 1.8}));
   }
   const height = slender ? 300 : Math.min(620, Math.max(240, 520 * proportion));
   return {traces, longest: arrow.longest, height: height + 120, layout: {
@@ -251,7 +262,7 @@ const solidFigure = (contact, radius) => {
             xaxis: {title: "x, mm", nticks: 4}, yaxis: {title: "y, mm", nticks: 6, autorange: contact.left ? true : "reversed"},
             zaxis: {title: "z down, mm", nticks: 3, autorange: "reversed"}},
     margin: {t: 40, l: 0, r: 0, b: 30}, legend: {orientation: "h", y: 0, yanchor: "top", x: 0},
-    updatemenus: [{type: "buttons", direction: "right", x: 0, xanchor: "left", y: 1.0, yanchor: "bottom", showactive: false,
+    updatemenus: [{type: "buttons", direction: "right", x: 0, xanchor: "left", y: 1.0, yanchor: "bottom", showactive: false, font: {size: 11},
                    buttons: [view("aslant", ...aslant), view("along the track", -1.9, 0, 0.15),
                              view("from above", -0.01, 0, 2.0), view("from the side", 0, 1.6 * side, 0.3)]}]}};
 };

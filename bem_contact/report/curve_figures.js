@@ -3,8 +3,8 @@ const FORCES = {Fx: {colour: ALONG_X, dash: "solid", mark: "circle"}, Fs: {colou
                 Fy: {colour: ALONG_S, dash: "dash", mark: "square"}, Fz: {colour: INK, dash: "dot", mark: "diamond"},
                 Mz: {colour: INK, dash: "dashdot", mark: "diamond-open"}};
 
-const lineOver = (x, y, name, {colour, dash, mark}, errors) => ({
-  type: "scatter", mode: "lines+markers", x, y, name, line: {color: colour, width: 1.8, dash},
+const lineOver = (x, y, name, {colour, dash, mark}, errors, cases) => ({
+  type: "scatter", mode: "lines+markers", x, y, name, customdata: cases, line: {color: colour, width: 1.8, dash},
   marker: {symbol: mark, size: 6, color: colour},
   error_y: errors?.some(e => e > 0) ? {type: "data", array: errors, thickness: 1, width: 3} : undefined});
 
@@ -21,9 +21,15 @@ const creepFigure = (data, which) => {
     traces.push(lineOver(x, curve[force].values, `${force}, N`, FORCES[force], curve[`${force}_error`].values));
     const slope = data.kalker?.values[3 * row + column];
     if (slope && row === (which === "xi" ? 0 : 1)) {
-      const reach = Math.min(bound / Math.abs(slope), ...spans.map(Math.abs).filter(v => v > 0));
-      traces.push({type: "scatter", mode: "lines", x: [-reach, reach], y: [-slope * reach, slope * reach],
-                   name: `${force} by linear theory`, line: {color: FORCES[force].colour, width: 1}});
+      // The other two creepages have their part of the force too, and the geometry makes some of its own.
+      const rigid = data.rigid_creepages?.values ?? [0, 0, 0];
+      const own = data.rigid_creepages ? Number(sceneValue(`motion.${which}`)) : 0; // as the curve counts it
+      const there = rigid.reduce((sum, creepage, k) => sum + data.kalker.values[3 * row + k] * creepage, 0);
+      const ends = [-bound, bound].map(force => own + (force - there) / slope).sort((a, b) => a - b);
+      const from = Math.max(ends[0], Math.min(...spans)), to = Math.min(ends[1], Math.max(...spans));
+      if (from < to)
+        traces.push({type: "scatter", mode: "lines", x: [from, to], y: [from, to].map(v => there + slope * (v - own)),
+                     name: `${force} by linear theory`, line: {color: FORCES[force].colour, width: 1}});
     }
   });
   traces.push({...lineOver(x, curve.Mz.values, "Mz, N mm (right)", FORCES.Mz, curve.Mz_error.values), yaxis: "y2"});
@@ -67,7 +73,7 @@ const patchesFigure = (data, key) => {
   const text = p.y.values.map((_, k) => `case ${p.case.values[k]}, patch ${p.patch.values[k]}<br>` +
       `Fn ${p.Fn.values[k].toPrecision(5)} N<br>pmax ${p.pmax.values[k].toPrecision(5)} MPa`);
   return {height: 400, traces: [{
-    type: "scatter", mode: "markers", x: p.y.values, text,
+    type: "scatter", mode: "markers", x: p.y.values, text, customdata: p.case.values,
     y: p.case.values.map(i => along(data, key).values[i]), name: "patch",
     hovertemplate: "y %{x:.2f} mm<br>%{text}<extra></extra>",
     error_x: {type: "data", array: half, thickness: 4, width: 0, color: RAIL},
@@ -96,7 +102,7 @@ const sweepFigure = (data, keys, key, names) => {
       const label = [names.length > 1 ? which : "", same].filter(Boolean).join("; ") || name;
       traces.push(lineOver(pick(over), pick(data[name]), label,
                            groups.size > 1 ? {...style, mark: marks[count % marks.length]} : style,
-                           data[`${name}_error`] && pick(data[`${name}_error`])));
+                           data[`${name}_error`] && pick(data[`${name}_error`]), cases));
       traces.at(-1).mode = key ? "lines+markers" : "markers";
     }
     ++count;

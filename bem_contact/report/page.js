@@ -1,31 +1,42 @@
 // The page: which words, tables and figures each kind of file gets; then the figures are drawn.
-/// Radius of the wheel at the contact; undefined where there is no wheel.
-const radiusOf = contact => {
-  const depth = contact.group.patches?.wheel_z?.values[0], radius = Number(sceneValue("position.wheel_radius"));
-  return radius > 0 && depth !== null && depth !== undefined ? radius + depth : undefined;
-};
+const whole = JSON.parse(document.getElementById("data").textContent);
+const {kind, file} = whole.attributes;
+let data = whole.data; // of a study: that of the part which is added
+const report = {kind, file, steps: Object.entries(whole.steps ?? {}).map(([step, {rail, wheel}]) => ({step: Number(step), rail: rows(rail), wheel: rows(wheel)}))};
+if (data.profiles)
+  data.profiles = Object.values(data.profiles).map(p => ({name: p.attributes.name, y: p.y.values, z: p.z.values, curvature: p.curvature.values}));
 
-const addContactFigures = (contact, solid) => {
-  const title = titleOf(contact.name);
-  if (!extent(contact))
-    return add("p", "Nothing is in contact.");
-  const shaped = contact.rail && contact.wheel && contact.y && contact.delta && !flat(contact);
-  if (solid && shaped)
+const addSolid = contact => {
+  if (isShaped(contact) && extent(contact))
     addFigure(`solid-${contact.name}`, "Wheel and rail in place, with the pressure on the patch; the wheel is lifted by 1 mm. Turn it with the mouse; a " +
               "click on a name hides or shows that body.", solidFigure(contact, radiusOf(contact)));
+};
+
+const addPatchFigure = (contact, parent = page) => {
   const patch = patchFigure(contact);
-  addFigure(`patch-${contact.name}`, `${title}: the patch from above.` +
+  addFigure(`patch-${contact.name}`, `${titleOf(contact.name)}: the patch from above.` +
             (contact.friction > 0 ? " Hatched elements slip; those within the thick line (orange) adhere." : "") +
-            (patch.longest > 0 ? " Arrows: shear traction on the rail." : ""), patch);
+            (patch?.longest > 0 ? " Arrows: shear traction on the rail." : ""), patch, parent);
+};
+
+const addCuts = (contact, parent = page) => {
   for (const along of ["x", "s"].filter(name => contact[name].length > 1)) {
     const cut = cutFigure(contact, along);
-    addFigure(`cut-${along}-${contact.name}`, `${title}: ${contact.friction > 0 ? "shear traction within the bound of friction"
-              : "pressure"} along ${along} through the largest pressure (${cut.where}).`, cut);
+    addFigure(`cut-${along}-${contact.name}`, `${titleOf(contact.name)}: ${contact.friction > 0 ? "shear traction within the bound of friction"
+              : "pressure"} along ${along} through the largest pressure (${cut.where}).`, cut, parent);
   }
-  if (solid && shaped)
+};
+
+/// All figures of one contact but that in 3-D.
+const addContactFigures = contact => {
+  if (!extent(contact))
+    return add("p", "Nothing is in contact.");
+  addPatchFigure(contact);
+  addCuts(contact, add("div", "", page, {className: "side-by-side"}));
+  if (isShaped(contact))
     addFigure(`section-${contact.name}`, "The section at the contact, looking along the track.", sectionFigure(contact));
   if (contact.group.stresses)
-    addFigure(`stresses-${contact.name}`, `${title}: stress below the surface, by half-space formulas.`, stressFigure(contact.group.stresses));
+    addFigure(`stresses-${contact.name}`, `${titleOf(contact.name)}: stress below the surface, by half-space formulas.`, stressFigure(contact.group.stresses));
 };
 
 /// Forces by step, of a transient or of shifts.
@@ -40,12 +51,14 @@ const addHistory = ({group: {history}}) => {
 const addResult = () => {
   const [contact] = contactsOf(data);
   addCertificate(contact);
+  addWarnings([["", contact]]);
+  addSix(contact);
+  addSolid(contact);
+  addContactFigures(contact);
+  addHistory(contact);
   add("h2", "Numbers");
   addQuantities([contact], "The errors are those that the size of the elements is estimated to cause", "quantities");
   addPatches(contact);
-  add("h2", "Contact");
-  addContactFigures(contact, true);
-  addHistory(contact);
 };
 
 /// Fx of each model beyond its own free rolling, where the file has it.
@@ -62,19 +75,18 @@ const addComparison = () => {
   const sets = Object.keys(SETS).filter(name => contactsOf(data[name]).length);
   const all = sets.flatMap(name => contactsOf(data[name]).map(contact => [`${SETS[name]}, ${shortOf(contact.name)}`, contact]));
   const broken = all.filter(([, contact]) => !certifiedOf(contact.group));
-  const box = add("div", "", page, {className: broken.length ? "certificate broken" : "certificate"});
-  add("p", broken.length ? `NOT certified: ${broken.map(([title]) => title).join("; ")}.` : "All results are certified.", box);
-  addTable("Worst violations of a contact condition, relative", ["", "worst", "at most", "solvers"], all.map(([title, contact]) =>
-    [title, worstOf(contact), toleranceOf(contact), solversOf(contact)]), {parent: box, numbers: [1, 2]});
-  for (const [title, contact] of all)
-    for (const warning of warningsOf(contact))
-      add("p", `Warning (${title}): ${warning}`, box);
-  add("h2", "Numbers");
-  for (const name of sets)
-    addQuantities(contactsOf(data[name]), SETS[name], `quantities-${name}`);
-  addCreepForces(data.creep_forces);
+  const worst = all.reduce((most, [, contact]) => Math.max(most, Number(worstOf(contact))), 0);
+  add("p", broken.length ? `NOT certified: ${broken.map(([title]) => title).join("; ")}.`
+      : `All results are certified: the worst violation of a contact condition is ${worst.toExponential(1)} (relative; at most ${toleranceOf(all[0][1])}).`,
+      page, {className: broken.length ? "certificate broken" : "certificate"});
+  addWarnings(all);
   const contacts = contactsOf(data[sets[0]]);
   add("h2", SETS[sets[0]]);
+  addSolid(contacts[0]);
+  const patches = add("div", "", page, {className: "side-by-side"});
+  for (const contact of contacts)
+    if (extent(contact))
+      addPatchFigure(contact, patches);
   const dashes = ["solid", "dash", "dot", "dashdot"];
   addFigure("pressures", "Pressure along s through its largest value, by each model.", {
     height: 340, traces: contacts.map((contact, k) => {
@@ -82,10 +94,35 @@ const addComparison = () => {
       return {type: "scatter", mode: "lines", x: contact.s, y: contact.pn.map(line => line[column]),
               name: titleOf(contact.name), line: {color: PRESSURE[1][1], width: 2.5 - 0.5 * k, dash: dashes[k]}};
     }), layout: {xaxis: {title: "s along the rail, mm"}, yaxis: {title: "pressure, MPa"}, legend: ABOVE}});
-  contacts.forEach((contact, k) => {
-    add("h3", titleOf(contact.name));
-    addContactFigures(contact, k === 0);
-  });
+  for (const contact of contacts)
+    if (extent(contact))
+      addCuts(contact, add("div", "", page, {className: "side-by-side"}));
+  add("h2", "Numbers");
+  for (const name of sets)
+    addQuantities(contactsOf(data[name]), SETS[name], `quantities-${name}`);
+  addCreepForces(data.creep_forces);
+};
+
+/// Where a click on a mark of a sweep shows the patch of its case. Undefined where the page has no fields.
+const addCaseView = () => {
+  const cases = Object.fromEntries(Object.entries(data.cases ?? {}).filter(([, one]) => one.p_n).map(([name, one]) => [Number(name), one]));
+  if (!Object.keys(cases).length)
+    return undefined;
+  const block = add("div", "", page, {id: "case", className: "screen-only"}), frame = add("div", "", block, {id: "case-patch"});
+  add("div", "", frame, {className: "drawing"});
+  const line = add("p", "A click on a mark shows the patch of its case here.", block, {className: "caption"});
+  return async index => {
+    if (!cases[index])
+      return void (line.textContent = `Case ${index} has no patch.`);
+    const contact = contactOf(cases[index].attributes.model, cases[index]), figure = patchFigure(contact);
+    const where = sweptKeys(data).map(key => `${words(key)} ${keyText(data[key], index)} ${unitText(data[key].unit.replace(/^1$/, ""))}`.trim()).join(", ");
+    line.textContent = `Case ${index}: ${where}; ${titleOf(contact.name).toLowerCase()}, largest pressure ` +
+                       `${number(data.pmax?.values[index], data.pmax_error?.values[index])} MPa.` + (figure ? "" : " Nothing is in contact.");
+    frame.className = figure ? "figure" : "";
+    frame.hidden = !figure;
+    if (figure)
+      await draw([frame, figure]);
+  };
 };
 
 const addSweep = () => {
@@ -96,13 +133,15 @@ const addSweep = () => {
   add("h2", "Cases");
   if (!wheels && data.patches?.y.values.some(y => y !== null))
     addFigure("patches-over-y", "Where the patches lie on the rail: each bar is as wide as its patch; larger marks carry larger " +
-              "normal forces, darker ones larger pressures.", patchesFigure(data, key));
+              "normal forces, darker ones larger pressures.", {...patchesFigure(data, key), click: index => showCase?.(index)});
+  const showCase = wheels ? undefined : addCaseView();
   for (const names of wheels ? [...(key === "position.lateral" ? [] : [["lateral"]]), ["roll"], both("share"), both("Fy"), both("pmax"), both("T_gamma")]
                              : [["pmax"], ["area"], ["Fx", "Fy"], ["Mz"], ["T_gamma"]])
     if (names.every(name => name in data))
-      addFigure(`over-${names.join("-")}`, `${[...new Set(names.map(ofEither))].map(words).join(" and ")} over the ${key ? words(key) : "cases"}.`, sweepFigure(data, keys, key, names));
+      addFigure(`over-${names.join("-")}`, `${[...new Set(names.map(ofEither))].map(words).join(" and ")} over the ${key ? words(key) : "cases"}.`,
+                {...sweepFigure(data, keys, key, names), click: index => showCase?.(index)});
   const status = ["missing", "certified", "not certified", "refused", "died"];
-  addTable("All cases", ["case", ...keys.map(k => withUnit(k, data[k]).replace(".", ".\u200b")), ...columns.map(name => withUnit(name, data[name])), "status"],
+  addTable("All cases", ["case", ...keys.map(k => titled(k, data[k])), ...columns.map(name => titled(name, data[name])), "status"],
            data.status.values.map((state, i) =>
              [i, ...keys.map(k => keyText(data[k], i)),
               ...columns.map(name => inDegrees(number(data[name].values[i], data[`${name}_error`]?.values[i]), data[name].values[i], data[name].unit)),
@@ -114,6 +153,12 @@ const addSweep = () => {
 };
 
 const addCreepCurves = () => {
+  add("h2", "Curves");
+  for (const which of ["xi", "eta", "phi"])
+    if (data.curves?.[which] ?? data[which])
+      addFigure(`curve-${which}`, `Forces over the ${words(which)}; the other two creepages stay as in the scene. With little creepage a force ` +
+                "grows along the straight line of linear theory, which takes the other two into account; with much of it the whole contact slips, and the force " +
+                "stays within the bound of friction.", creepFigure(data, which));
   add("h2", "Slopes and sensitivities");
   const matrix = (name, caption) => data[name] && addTable(caption, ["", "d/dxi", "d/deta", "d/dphi"],
     ["Fx", "Fs", "Mz"].map((force, row) => [force, ...[0, 1, 2].map(k =>
@@ -121,12 +166,6 @@ const addCreepCurves = () => {
   matrix("slopes", "Slopes where nothing moves over the other (N; Mz: N mm; by phi: times mm)");
   matrix("kalker", "The same by Kalker's linear theory, for the nearest ellipse");
   matrix("sensitivities", "Sensitivities at the scene's creepages");
-  add("h2", "Curves");
-  for (const which of ["xi", "eta", "phi"])
-    if (data.curves?.[which] ?? data[which])
-      addFigure(`curve-${which}`, `Forces over the ${words(which)}; the other two creepages stay as in the scene. With little creepage a force ` +
-                "grows along the straight line of linear theory, if the other two are zero; with much of it the whole contact slips, and the force " +
-                "stays within the bound of friction.", creepFigure(data, which));
 };
 
 const addWear = () => {
@@ -158,18 +197,18 @@ const addConicity = () => {
 
 const addWheelset = () => {
   const wheels = contactsOf(data), track = side => data[side].track, sum = name => data.wheelset[name]?.values[0];
-  for (const wheel of wheels) {
-    add("h3", titleOf(wheel.name));
-    addCertificate(wheel);
-  }
+  for (const wheel of wheels)
+    addCertificate(wheel, titleOf(wheel.name));
+  addWarnings(wheels.map(wheel => [titleOf(wheel.name), wheel]));
   add("h2", "Both wheels");
   addTable("On the track, y to the right for both", ["", "left", "right", "sum", "unit", ""], Object.keys(track("right")).filter(name => !name.endsWith("_error")).map(name =>
-    [name, ...["left", "right"].map(side => inDegrees(number(track(side)[name].values[0], track(side)[`${name}_error`]?.values[0]), track(side)[name].values[0], track(side)[name].unit)),
+    [words(name), ...["left", "right"].map(side => inDegrees(number(track(side)[name].values[0], track(side)[`${name}_error`]?.values[0]), track(side)[name].values[0], track(side)[name].unit)),
      number(sum(name)), unitText(track("right")[name].unit),
      track("right")[name].description]), {numbers: [1, 2, 3], id: "track"});
   for (const wheel of wheels) {
     add("h2", titleOf(wheel.name));
-    addContactFigures(wheel, true);
+    addSolid(wheel);
+    addContactFigures(wheel);
     addQuantities([wheel], `${titleOf(wheel.name)}, in the frame of its side`, `quantities-${wheel.name}`);
   }
 };
@@ -177,6 +216,37 @@ const addWheelset = () => {
 const addProfile = () => {
   addFigure("outline", "The profile; the others lie behind it.", profilesFigure(data.profiles, "z"));
   addFigure("curvature", "Curvature: above 0 convex, below concave.", profilesFigure(data.profiles, "curvature"));
+};
+
+/// Tables of numbers that the file has, as [name, lines of cells]: single numbers of a group, or columns of one length.
+const tablesIn = (group, name = "") => {
+  const entries = Object.entries(group).filter(([key]) => key !== "attributes"), out = [];
+  const single = entries.filter(([, one]) => one.values?.length === 1 && one.unit !== undefined);
+  const columns = entries.filter(([, one]) => one.values?.length > 1 && one.shape?.length === 1);
+  if (single.length)
+    out.push([name || "numbers", [["name", "value", "unit", "meaning"], ...single.map(([key, one]) => [key, one.values[0], one.unit, one.description])]]);
+  for (const length of new Set(columns.map(([, one]) => one.values.length))) {
+    const same = columns.filter(([, one]) => one.values.length === length);
+    out.push([name || "columns", [same.map(([key, one]) => withUnit(key, one)), ...Array.from({length}, (_, k) => same.map(([, one]) => one.values[k]))]]);
+  }
+  for (const [key, one] of entries)
+    if (one && typeof one === "object" && !Array.isArray(one) && !("values" in one) && !("text" in one) && !["cases", "inputs"].includes(key))
+      out.push(...tablesIn(one, name ? `${name}_${key}` : key));
+  return out;
+};
+
+/// One button for each table; the file's own names and all digits.
+const addDownloads = () => {
+  const row = add("details", "", page, {className: "screen-only", id: "downloads"}), known = new Set();
+  add("summary", "Numbers as CSV", row);
+  for (const [name, lines] of report.kind === "profile" ? [] : tablesIn(data)) {
+    let file = name;
+    for (let k = 2; known.has(file); ++k)
+      file = `${name}_${k}`;
+    known.add(file);
+    add("button", file.replaceAll("_", " "), row, {type: "button", onclick: () => download(new Blob([csvOf(lines)]), `${file}.csv`)});
+  }
+  row.hidden = !known.size;
 };
 
 const addScene = () => {
@@ -232,46 +302,19 @@ const addStudy = () => {
 const ADDED = {result: addResult, comparison: addComparison, sweep: addSweep, "creep curves": addCreepCurves, conicity: addConicity, wheelset: addWheelset,
                wear: addWear, profile: addProfile, study: addStudy};
 
-/// The library is kept compressed in the page.
-const loadLibrary = async () => {
-  const bytes = Uint8Array.from(atob(document.getElementById("library").textContent), c => c.charCodeAt(0));
-  const text = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).text();
-  add("script", text, document.head);
-};
-
-const draw = async ([frame, {traces, layout, height, frames}]) => {
-  const drawing = frame.firstChild, size = {width: 700, height};
-  const axis = {automargin: true, showline: true, linecolor: INK, ticks: "outside", zeroline: false, gridcolor: "#e3e7eb", exponentformat: "none"};
-  const whole = {...size, font: {family: "sans-serif", size: 12, color: INK}, hovermode: "closest", ...layout,
-                 margin: {t: 50, l: 65, r: 20, b: 50, ...layout.margin}};
-  for (const name of ["xaxis", "yaxis", "yaxis2"])
-    if (layout[name])
-      whole[name] = {...axis, ...layout[name], title: {text: layout[name].title, standoff: 6}};
-  await Plotly.newPlot(drawing, traces, whole, {displaylogo: false, modeBarButtonsToRemove: ["select2d", "lasso2d"]});
-  if (frames)
-    await Plotly.addFrames(drawing, frames);
-  if (!frame.classList.contains("solid"))
-    return;
-  const picture = add("img", "", frame, {className: "paper", alt: "wheel, rail and patch"});
-  const take = async () => { 
-    const shown = {data: drawing.data, layout: {...drawing.layout, updatemenus: []}};
-    picture.src = await Plotly.toImage(shown, {format: "png", ...size, scale: 2});
-  };
-  await take();
-  drawing.on("plotly_relayout", take); // paper shows it as it was turned last
-};
-
 const start = async () => {
   document.title = `${report.file}: bem_contact report`;
   add("h1", `${TITLE_OF[report.kind]}: ${report.file}`);
   if (report.kind !== "study")
     add(report.kind === "profile" ? "pre" : "p", report.kind === "profile" ? data.attributes.words : sceneInWords().join(" "), page, {id: "words"});
   ADDED[report.kind]();
+  addDownloads();
   addScene();
   add("p", `${data.attributes?.program ?? "bem_contact"}. x is the direction of rolling, y points to the right (left wheel: to the left), z down; s runs along the rail's ` +
       "profile, n into the rail. Forces are those on the rail. Figures: plotly.js (MIT licence), © Plotly, Inc.",
       document.getElementById("notes"));
   await loadLibrary();
+  followWidth();
   for (const one of figures)
     await draw(one);
   document.body.dataset.drawn = figures.length;

@@ -18,7 +18,7 @@
 // embedded.S; each ends with a NUL.
 extern "C" {
 extern const char report_page_html[], report_page_css[], report_page_js[], report_contact_figures_js[],
-    report_curve_figures_js[], report_words_js[], report_plotting_library[];
+    report_curve_figures_js[], report_words_js[], report_drawing_js[], report_plotting_library_txt[];
 }
 
 namespace bem_contact::report {
@@ -49,9 +49,12 @@ bool left_out(std::string_view path) {
       "u_x",           "u_s",   "u_n", "friction_work_density", "friction_work", "deformed_distance",
       "largest_shear", "stress"};
   const std::string_view last = name.substr(name.rfind('/') + 1);
+  constexpr std::array of_cases{"reason", "model", "frame", "friction", "quantities", "dx",  "ds",  "x",
+                                "s",      "y",     "z",     "delta",    "state",      "p_n", "p_x", "p_s"};
   const bool of_case = name.starts_with("cases/") && name.find('/', 6) != name.npos;
-  return (of_case && last != "reason") || (name.starts_with("inputs/") && last == "content") ||
-         last == "structure" || last == "step_fields" || std::ranges::find(fields, last) != fields.end();
+  return (of_case && std::ranges::find(of_cases, last) == of_cases.end()) ||
+         (name.starts_with("inputs/") && last == "content") || last == "structure" || last == "step_fields" ||
+         std::ranges::find(fields, last) != fields.end();
 }
 
 /// The profiles of steps spread evenly from the first to the last, where all of them lie beside the file.
@@ -89,7 +92,8 @@ Record report_data(const std::filesystem::path& file) {
   Record data = record::in_todays_layout(
       record::from_h5(read_h5_top(file, "patches"))); // the fields of a sweep's cases may be large
   const std::string kind = page_of(data, file);
-  if (kind != "sweep")
+  std::error_code unknown;
+  if (kind != "sweep" || std::filesystem::file_size(file, unknown) <= largest_with_fields)
     data = record::in_todays_layout(record::read_hdf5(file));
   Record out{{"kind", record::Text{kind}}, {"file", record::Text{file.filename().string()}}};
   const bool study = kind == "study";
@@ -106,25 +110,16 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
     text.replace(at, what.size(), by);
 }
 
-/// Throws InputError if this build has no plotting library.
-std::string report_page(const Record& data) {
-  if (*report_plotting_library == '\0')
-    throw InputError("This build draws no reports",
+void require_library() {
+  if (*report_plotting_library_txt == '\0')
+    throw InputError("This build draws no pages",
                      "the Debian package python3-plotly was missing when it was built",
                      "Run tools/install_packages contact-only, configure again (cmake --fresh) and build.");
-  std::string text = record::to_described_json(data, left_out);
-  replace_all(text, "</", "<\\/"); // no text of a scene ends the script that holds it
-  replace_all(text, "<!--", "<\\u0021--");
-  std::string page = report_page_html;
-  const std::array<std::pair<std::string, std::string>, 4> parts{
-      {{"@STYLE@", report_page_css},
-       {"@SCRIPT@",
-        std::string(report_contact_figures_js) + report_curve_figures_js + report_words_js + report_page_js},
-       {"@LIBRARY@", report_plotting_library},
-       {"@DATA@", text}}};
-  for (const auto& [name, part] : parts)
-    page.replace(page.find(name), name.size(), part);
-  return page;
+}
+
+std::string report_page(const Record& data) {
+  return page_with_figures({.html = report_page_html, .style = report_page_css, .script = report_page_js},
+                           record::to_described_json(data, left_out));
 }
 
 void write_page(const Record& data, const std::filesystem::path& output) {
@@ -133,6 +128,29 @@ void write_page(const Record& data, const std::filesystem::path& output) {
 }
 
 } // namespace
+
+std::string page_with_figures(const PageParts& parts, std::string data) {
+  require_library();
+  replace_all(data, "</", "<\\/"); // no text of a scene ends the script that holds it
+  replace_all(data, "<!--", "<\\u0021--");
+  std::string page(parts.html), script = report_drawing_js;
+  for (const char* part : {report_contact_figures_js, report_curve_figures_js, report_words_js})
+    script += part;
+  script += parts.script;
+  const std::array<std::pair<std::string_view, std::string_view>, 4> places{
+      {{"@STYLE@", parts.style},
+       {"@SCRIPT@", script},
+       {"@LIBRARY@", report_plotting_library_txt},
+       {"@DATA@", data}}};
+  for (const auto& [name, part] : places)
+    page.replace(page.find(name), name.size(), part);
+  return page;
+}
+
+std::string page_of_record(const Record& file, const std::string& name) {
+  return report_page(
+      {{"kind", record::Text{page_of(file, name)}}, {"file", record::Text{name}}, {"data", file}});
+}
 
 void write_profile_page(const std::string& name, const std::string& words,
                         const std::vector<DrawnProfile>& profiles, const std::filesystem::path& output) {

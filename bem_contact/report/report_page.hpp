@@ -1,7 +1,10 @@
 #pragma once
 
+#include "bem_contact/record/record.hpp"
+
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bem_contact::report {
@@ -11,6 +14,17 @@ namespace bem_contact::report {
 /// network. Throws InputError for any other file, where `output` is `file` or cannot be written, and if this
 /// build has no plotting library.
 void write_report(const std::filesystem::path& file, const std::filesystem::path& output);
+
+/// The page of what such a file holds; `name`: of the file. Throws as write_report() does.
+std::string page_of_record(const record::Record& file, const std::string& name);
+
+/// What differs between pages. `html` has the places @STYLE@, @SCRIPT@, @LIBRARY@ (of plotting) and @DATA@.
+struct PageParts {
+  std::string_view html, style, script;
+};
+/// A page whose script comes behind the figures and words of reports. `data`: JSON that the page holds.
+/// Throws InputError if this build has no plotting library.
+std::string page_with_figures(const PageParts& parts, std::string data);
 
 /// Points along a profile, in the frame of its file's curve.
 struct DrawnProfile {

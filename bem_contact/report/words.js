@@ -1,35 +1,5 @@
-// Words and tables of the page. They need no library.
-const page = document.getElementById("page"), whole = JSON.parse(document.getElementById("data").textContent);
-const {kind, file} = whole.attributes;
-let data = whole.data; // of a study: that of the part which is added
-const report = {kind, file, steps: Object.entries(whole.steps ?? {}).map(([step, {rail, wheel}]) => ({step: Number(step), rail: rows(rail), wheel: rows(wheel)}))};
-if (data.profiles)
-  data.profiles = Object.values(data.profiles).map(p => ({name: p.attributes.name, y: p.y.values, z: p.z.values, curvature: p.curvature.values}));
-let idPrefix = ""; // of a part of a study: ids are unique
-const figures = []; // [element, figure]: drawn once the library is there
-
-const failed = error => {
-  const list = document.getElementById("script-errors");
-  list.hidden = false;
-  list.append(Object.assign(document.createElement("li"), {textContent: `This page was not drawn to its end: ${error}`}));
-};
-window.addEventListener("error", event => failed(event.message));
-window.addEventListener("unhandledrejection", event => failed(event.reason));
-
-const add = (kind, text = "", parent = page, more = {}) =>
-    parent.appendChild(Object.assign(document.createElement(kind), {textContent: text}, more));
-
-const addFigure = (id, caption, figure) => {
-  if (!figure)
-    return;
-  const block = add("div", "", page, {className: "block"});
-  const frame = add("div", "", block, {id: idPrefix + id, className: id.startsWith("solid") ? "figure solid" : "figure"});
-  add("div", "", frame, {className: "drawing"});
-  add("p", caption, block, {className: "caption"});
-  figures.push([frame, figure]);
-};
-
-const LEAST_NUMBER = 1e-9; // in every unit of a page (mm, rad, MPa, N, N mm) less is rounding
+// Words and tables of a page. They need no library. `data` and `report`: what the page shows.
+const LEAST_NUMBER = 1e-8; // in every unit of a page (mm, rad, MPa, N, N mm) less is rounding
 
 /// "1859 ± 4" or "(-9.27 ± 0.05)e-4": as many digits as the error has meaning.
 const number = (value, error) => {
@@ -54,10 +24,17 @@ const inDegrees = (text, value, unit) => unit === "rad" && value !== null && val
 
 /// Names of the files as people read them; a name that is not here stands as it is.
 const WORDS = {pmax: "largest pressure", area: "area in contact", Fx: "longitudinal force Fx", Fy: "lateral force Fy", Fz: "vertical force Fz",
-               Mz: "moment Mz about the vertical", lateral: "lateral displacement", roll: "roll, right side down", share: "share of the vertical force",
-               "position.lateral": "lateral displacement", "position.yaw": "yaw angle", "load.force": "vertical force",
-               "wheelset.force": "vertical force of the axle", "motion.friction": "coefficient of friction", xi: "longitudinal creepage xi",
-               eta: "lateral creepage eta", phi: "spin phi"};
+               Fs: "shear force Fs along the profile", Mz: "moment Mz about the vertical", Fn: "normal force", Mn: "moment about the normal",
+               T_gamma: "T-gamma", adhesion_share: "share in adhesion", patch_count: "number of patches", approach: "approach",
+               lateral: "lateral displacement", roll: "roll, right side down", share: "share of the vertical force",
+               Tmax_rail: "hottest place of the rail", Tmax_wheel: "hottest place of the wheel", free_rolling_xi: "creepage of free rolling",
+               free_rolling_radius: "rolling radius of free rolling", semi_axis_a: "first semi-axis", semi_axis_b: "second semi-axis",
+               y: "y of its centre", z: "z of its centre", s: "arc length of its centre", delta: "inclination", xi: "longitudinal creepage xi",
+               eta: "lateral creepage eta", phi: "spin phi", layer_compliance: "compliance of the layer",
+               "position.lateral": "lateral displacement", "position.yaw": "yaw angle", "position.roll": "roll angle", "load.force": "vertical force",
+               "wheelset.force": "vertical force of the axle", "motion.friction": "coefficient of friction", "motion.xi": "longitudinal creepage",
+               "motion.eta": "lateral creepage", "motion.phi": "spin", "track.curve_radius": "radius of the curve",
+               "layer.compliance": "compliance of the layer", "solver.model": "model", "rail.profile": "rail", "wheel.profile": "wheel"};
 const ofEither = name => name.replace(/^(right|left)_/, ""); // wheel
 const words = name => WORDS[name] ?? (ofEither(name) === name ? name : `${words(ofEither(name))}, ${name.split("_")[0]} wheel`);
 
@@ -66,7 +43,7 @@ const unitText = unit => unit.replace(/mm\^?2/g, "mm²").replace(/mm\^?3/g, "mm�
 
 /// A table; the cells numbered `numbers` from the left, or all of them, are numbers.
 const addTable = (caption, head, lines, {parent = page, numbers, id = "", wide = false} = {}) => {
-  const table = add("table", "", parent, {id: id && idPrefix + id, className: !wide ? "" : head.length > 10 ? "wide widest" : "wide"});
+  const table = add("table", "", add("div", "", parent, {className: "scroll"}), {id: id && idPrefix + id, className: !wide ? "" : wide === "widest" || head.length > 10 ? "wide widest" : "wide"});
   add("caption", caption, table);
   const fill = (row, kind, cells) => cells.forEach((cell, k) =>
       add(kind, cell, row, {className: !numbers || numbers.includes(k) ? "number" : ""}));
@@ -106,6 +83,12 @@ const sceneValue = key => {
   const from = lines.findIndex(line => line.trim() === `[${table}]`);
   const found = lines.slice(from + 1).find(line => line.trim().split(/\s*=/)[0] === name);
   return found === undefined ? "" : found.split("=")[1].split("#")[0].trim().replaceAll('"', "");
+};
+
+/// Radius of the wheel at the contact; undefined where there is no wheel.
+const radiusOf = contact => {
+  const depth = contact.group.patches?.wheel_z?.values[0], radius = Number(sceneValue("position.wheel_radius"));
+  return radius > 0 && depth !== null && depth !== undefined ? radius + depth : undefined;
 };
 
 const bothWheels = profile => `Both wheels of a wheelset ${profile("wheel")}, on rails ${profile("rail")}.`;
@@ -152,7 +135,7 @@ const sceneInWords = () => {
                `${q("ms")} elements of ${q("dx")} × ${q("ds")} mm.`);
   }
   if (swept.length)
-    out.push(`${data.status.values.length} cases: ${swept.join(", ")} ${swept.length > 1 ? "vary" : "varies"}. ` +
+    out.push(`${data.status.values.length} cases: ${swept.map(words).join(", ")} ${swept.length > 1 ? "vary" : "varies"}. ` +
              ["certified", "not_certified", "refused", "died", "missing"].map((name, k) =>
                `${valueOf(data, `${name}_count`)} ${["are certified", "are not", "were refused", "died", "are missing"][k]}`).join(", ") + ".");
   if (report.kind === "creep curves")
@@ -170,43 +153,75 @@ const worstOf = ({group}) => valueOf(group.quantities, "certificate").toExponent
 const toleranceOf = ({group}) => valueOf(group.certificate, "tolerance").toExponential(0);
 const solversOf = ({group: {solver}}) => [solver?.attributes?.normal, solver?.attributes?.tangential].filter(Boolean).join(", ");
 
-const addCertificate = contact => {
+const addCertificate = (contact, title = "") => {
   const {attributes: a} = contact.group, certified = certifiedOf(contact.group), note = a.solver_note;
-  const box = add("div", "", page, {className: certified ? "certificate" : "certificate broken"});
-  add("p", certified ? `Certified: the worst violation of a contact condition is ${worstOf(contact)} (relative; at most ${toleranceOf(contact)}). ` +
-      `It was computed by code that shares nothing with the solvers (${solversOf(contact)}).` + (note ? ` ${note}.` : "")
-      : `NOT certified: ${a.why_not_certified ?? `the worst violation of a contact condition is ${worstOf(contact)}, ${toleranceOf(contact)} is allowed`}.`, box);
-  for (const warning of warningsOf(contact))
-    add("p", `Warning: ${warning}`, box);
+  add("p", (title && `${title}. `) + (certified ? `Certified: the worst violation of a contact condition is ${worstOf(contact)} (relative; at most ${toleranceOf(contact)}), ` +
+      `by code that shares nothing with the solvers (${solversOf(contact)}).` + (note ? ` ${note}.` : "")
+      : `NOT certified: ${a.why_not_certified ?? `the worst violation of a contact condition is ${worstOf(contact)}, ${toleranceOf(contact)} is allowed`}.`),
+      page, {className: certified ? "certificate" : "certificate broken"});
 };
 
-const addQuantities = (contacts, caption, id) => {
+/// Each warning once, whatever figures are in it; `of`: [title, contact] of those that may have it.
+const addWarnings = (of, parent = page) => {
+  const known = new Map();
+  for (const [title, contact] of of)
+    for (const warning of warningsOf(contact)) {
+      const kind = warning.replace(/[\d.]+/g, "#");
+      known.set(kind, {warning, ...known.get(kind), titles: [...(known.get(kind)?.titles ?? []), title]});
+    }
+  for (const {warning, titles} of known.values())
+    add("p", `Warning: ${warning}` + (of.length < 2 ? "" : ` (${titles.length < of.length ? titles.join("; ") : "all of them"}; figures are those of the first)`),
+        parent, {className: "warning"});
+};
+
+const SIX = ["pmax", "area", "Fx", "Fy", "Mz", "T_gamma"];
+/// What is looked at first, in large figures.
+const addSix = (contact, parent = page) => {
+  const list = add("dl", "", parent, {className: "six"}), q = contact.group.quantities;
+  for (const name of SIX.filter(name => q[name])) {
+    const one = add("div", "", list);
+    add("dt", words(name), one);
+    add("dd", `${number(valueOf(q, name), valueOf(q, `${name}_error`))} ${unitText(q[name].unit)}`, one, {id: `six-${name}`});
+  }
+};
+
+const addQuantities = (contacts, caption, id, parent = page) => {
   const value = (contact, name) => {
     const q = contact.group.quantities[name];
     return inDegrees(number(q?.values[0], contact.group.quantities[`${name}_error`]?.values[0]), q?.values[0], q?.unit);
   };
+  // The first one is the reference: how much each other one has more.
+  const less = (contact, name) => {
+    const [reference, other] = [contacts[0], contact].map(one => valueOf(one.group.quantities, name));
+    if (typeof reference !== "number" || typeof other !== "number")
+      return "–";
+    const share = Math.abs(reference) > LEAST_NUMBER ? ` (${Math.round(1000 * (other - reference) / Math.abs(reference)) / 10 || 0} %)` : "";
+    return number(Number((other - reference).toPrecision(4))) + share;
+  };
   const line = name => { const q = contacts[0].group.quantities[name];
-                         return [name, ...contacts.map(c => value(c, name)), unitText(q.unit), q.description]; };
+                         return [words(name), ...contacts.map(c => value(c, name)), ...contacts.slice(1).map(c => less(c, name)), unitText(q.unit),
+                                 ...contacts.length > 1 ? [] : [q.description]]; };
   const all = Object.keys(contacts[0].group.quantities).filter(name => !name.endsWith("_error"));
-  const head = ["", ...contacts.map(c => contacts.length > 1 ? shortOf(c.name) : "value ± error"), "unit", ""];
+  const head = contacts.length > 1 ? ["", ...contacts.map(c => shortOf(c.name)), ...contacts.slice(1).map(c => `${shortOf(c.name)} less ${shortOf(contacts[0].name)}`), "unit"]
+                                   : ["", "value ± error", "unit", ""];
   const known = name => contacts.some(c => c.group.quantities[name]?.values[0] !== null);
-  const numbers = contacts.map((_, k) => k + 1);
-  const wide = contacts.length > 2;
-  addTable(caption, head, MAIN.filter(name => all.includes(name) && known(name)).map(line), {numbers, id, wide});
-  const rest = add("details");
+  const numbers = Array.from({length: 2 * contacts.length - 1}, (_, k) => k + 1);
+  const wide = contacts.length > 2 ? "widest" : false;
+  addTable(caption, head, MAIN.filter(name => all.includes(name) && known(name)).map(line), {parent, numbers, id, wide});
+  const rest = add("details", "", parent);
   add("summary", "all other numbers", rest);
   addTable("", head, all.filter(name => !MAIN.includes(name)).map(line), {parent: rest, numbers, wide});
 };
 
-const addPatches = contact => {
+const addPatches = (contact, parent = page) => {
   const p = contact.group.patches;
   if (!p?.Fn)
     return;
   const count = p.Fn.values.length;
   addTable("Patches, the largest force first", ["", ...Array.from({length: count}, (_, k) => `patch ${k + 1}`), "unit", ""],
            PATCH.filter(name => p[name]).map(name =>
-             [name, ...Array.from({length: count}, (_, k) =>
+             [words(name), ...Array.from({length: count}, (_, k) =>
                         inDegrees(number(p[name].values[k], p[`${name}_error`]?.values[k]), p[name].values[k], p[name].unit)),
               unitText(p[name].unit), p[name].description]),
-           {numbers: Array.from({length: count}, (_, k) => k + 1), id: `patches-${contact.name}`});
+           {parent, numbers: Array.from({length: count}, (_, k) => k + 1), id: `patches-${contact.name}`});
 };

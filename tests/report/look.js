@@ -19,7 +19,7 @@
   }
   const edge = box(document.body).right + 1;
   for (const element of document.querySelectorAll("table, pre, .figure"))
-    if (box(element).right > edge)
+    if (box(element).right > edge && !element.closest("details:not([open])")) // what is folded is not shown
       found.push(`${element.id || element.tagName} is wider than the page`);
   return found.join("\n");
 })()

@@ -48,7 +48,7 @@ class Report(unittest.TestCase):
         (cls.folder / "patch.toml").write_text(PATCH + "# </script><!--\n")
         (cls.folder / "wear.toml").write_text(WEAR)
         patch = cls.folder / "patch.toml"
-        cls.files = {kind: cls.folder / f"{kind}.h5" for kind in ("result", "stresses", "cylinder", "comparison", "curves", "sweep",
+        cls.files = {kind: cls.folder / f"{kind}.h5" for kind in ("result", "stresses", "cylinder", "comparison", "curves", "sweep", "cases",
                                                                    "conicity", "wheelset")}
         cls.files["wear"] = cls.folder / "worn" / "wear.h5"
         for command in (("solve", SCENES / "conformal_small.toml", "-o", cls.files["result"]),
@@ -58,6 +58,7 @@ class Report(unittest.TestCase):
                         ("solve", SCENES / "cattaneo_to_carter.toml", "-o", cls.files["cylinder"]),
                         ("creep-curves", patch, "--xi=0:4e-3:5", "--phi=0:1e-3:3", "-o", cls.files["curves"]),
                         ("sweep", SCENES / "cases_two_areas.toml", "-o", cls.files["sweep"]),
+                        ("sweep", cls.folder / "wear.toml", "-o", cls.files["cases"]),
                         ("conicity", SCENES / "wheelset.toml", "-o", cls.files["conicity"]),
                         ("wheelset", SCENES / "wheelset.toml", "-o", cls.files["wheelset"]),
                         ("wear", cls.folder / "wear.toml", "-o", cls.folder / "worn", "--depth", "0.03")):
@@ -177,6 +178,59 @@ class Report(unittest.TestCase):
         show.pdf(printed)
         self.assertGreater(printed.read_bytes().count(b"/Type /Page\n"), 0, kind)
 
+    def look_at_differences(self, show):
+        """Of each model, what it has more than the first one; each kind of warning once."""
+        rows = show.value("[...document.querySelectorAll('#quantities-at_equal_forces tr')].map(r => [...r.cells].map(c => c.textContent))")
+        self.assertEqual(rows[0][4:6], ["tangent plane less FEM", "half-space less FEM"])
+        pressures = next(row for row in rows if row[0] == "largest pressure")
+        data = self.report_of("comparison")["data"]["at_equal_forces"]
+        values = [data[model]["quantities"]["pmax"]["values"][0] for model in ("fem", "tangent_plane", "halfspace")]
+        for text, value in zip(pressures[4:6], values[1:], strict=True):
+            self.assertAlmostEqual(float(text.split(" ")[0]), value - values[0], delta=1e-3 * abs(value - values[0]))
+        warnings = show.value("[...document.querySelectorAll('.warning')].map(w => w.textContent.replace(/[\\d.]+/g, '#').split('(')[0])")
+        self.assertEqual(len(warnings), len(set(warnings)))
+        self.assertGreater(len(warnings), 0)
+
+    def look_at_linear_theory(self, show):
+        """The straight line has Kalker's slope, and its value where the scene is: with the parts of the other two creepages."""
+        data = self.report_of("curves")["data"]
+        slopes, rigid = (np.reshape(data[name]["values"], data[name]["shape"]) for name in ("kalker", "rigid_creepages"))
+        np.testing.assert_allclose(rigid, [4e-4, 3e-4, 1e-4], rtol=1e-9)  # of PATCH
+        x, y = show.value("(line => [line.x, line.y])(document.querySelector('#curve-xi .drawing').data.find(t => t.name === 'Fx by linear theory'))")
+        self.assertAlmostEqual((y[1] - y[0]) / (x[1] - x[0]) / slopes[0, 0], 1, delta=1e-9)
+        self.assertAlmostEqual(y[0] + slopes[0, 0] * (4e-4 - x[0]), slopes[0] @ rigid, delta=1e-6)
+
+    def look_at_a_case(self, show):
+        """A click on a mark of a sweep shows the patch of its case."""
+        data = self.report_of("cases")["data"]
+        show.value("(figure => void figure.emit('plotly_click', {points: [{customdata: figure.data[0].customdata[1]}]}))"
+                   "(document.querySelector('#over-pmax .drawing'))")
+        show.value("new Promise(done => { const look = () => document.querySelector('#case-patch svg.main-svg') ? done() : setTimeout(look, 50); look(); })")
+        case, words = show.value("(figure => [figure.data[0].customdata[1], document.querySelector('#case .caption').textContent])"
+                                 "(document.querySelector('#over-pmax .drawing'))")
+        self.assertIn(f"Case {case}: ", words)
+        largest = show.value("Math.max(...document.querySelector('#case-patch .drawing').data[0].z.flat())")
+        self.assertAlmostEqual(largest, data["pmax"]["values"][case], delta=1e-9 * largest)
+
+    def look_at_downloads(self, show):
+        """CSV of the file's numbers, all digits."""
+        names = show.value("[...document.querySelectorAll('#downloads button')].map(b => b.textContent)")
+        self.assertIn("quantities", names)
+        text = show.value("csvOf(tablesIn(data).find(([name]) => name === 'quantities')[1])")
+        pmax = next(line.split(",") for line in text.splitlines() if line.startswith("pmax,"))
+        self.assertEqual(float(pmax[1]), self.report_of("result")["data"]["quantities"]["pmax"]["values"][0])
+
+    def look_at_widths(self, show, page):
+        """At most 1100 px on a wide screen; on a narrow one nothing is wider than the screen."""
+        for width in (1400, 400):
+            show.call("Emulation.setDeviceMetricsOverride", {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": False})
+            show.open(page)
+            self.assertLessEqual(show.value("document.documentElement.scrollWidth"), width)
+            self.assertLessEqual(show.value("Math.max(...[...document.querySelectorAll('.figure')].map(f => f.getBoundingClientRect().width))"), 1100)
+            on_words = [line for line in show.value(LOOK).splitlines() if " lies on " in line or "cut off" in line]
+            self.assertEqual(on_words, [], width)
+        show.call("Emulation.clearDeviceMetricsOverride")
+
     @unittest.skipUnless(browser.PROGRAM, "chromium is not installed")
     def test_a_browser_draws_it(self):
         contact = ["patch", "cut-x", "cut-s"]
@@ -186,6 +240,7 @@ class Report(unittest.TestCase):
                                                                           for m in ("halfspace", "tangent_plane", "fem"))],
                   "curves": ["slopes", "kalker", "sensitivities", "curve-xi", "curve-phi"],
                   "sweep": ["patches-over-y", "over-pmax", "over-Fx-Fy", "cases"],
+                  "cases": ["patches-over-y", "over-pmax", "over-T_gamma", "cases"],
                   "conicity": ["conicities", "tan-gamma", "radius-difference", "touch-wheel", "touch-rail"],
                   "wheelset": ["track", *(f"{c}-{side}" for c in (*contact, "solid", "quantities") for side in ("left", "right"))],
                   "wear": ["film-rail", "film-wheel", "worn-rail", "worn-wheel", "wear-depth", "wear-area", "steps"],
@@ -210,11 +265,17 @@ class Report(unittest.TestCase):
                     self.assertLess(show.value(moved), 5)  # mm, drawn; the last step is the deepest
                     self.assertGreater(show.value(last), 0.02)
                 if kind == "wheelset":
-                    row = show.value("[...document.querySelectorAll('#track tbody tr')].find(r => r.innerText.startsWith('delta')).innerText")
+                    row = show.value("[...document.querySelectorAll('#track tbody tr')].find(r => r.innerText.startsWith('inclination')).innerText")
                     right = self.report_of(kind)["data"]["right"]["track"]["delta"]["values"][0]
                     radian, degrees = re.search(r"(-\d\S*) \((-\d\S*)°\)", row).groups()
                     self.assertAlmostEqual(float(radian), right, delta=1e-5)
                     self.assertAlmostEqual(float(degrees), np.degrees(right), delta=0.06)
+                if kind == "comparison":
+                    self.look_at_differences(show)
+                if kind == "curves":
+                    self.look_at_linear_theory(show)
+                if kind == "cases":
+                    self.look_at_a_case(show)
                 if kind == "sweep":
                     titles = show.value("[...document.querySelectorAll('#over-pmax .ytitle')].map(t => t.textContent).join()")
                     self.assertEqual(titles, "largest pressure, MPa")
@@ -233,6 +294,13 @@ class Report(unittest.TestCase):
                     self.assertGreater(pixels, 20000)  # a picture of the bodies for paper, not an empty one
                     certificate = show.value("document.querySelector('.certificate').innerText")
                     self.assertIn("Certified: the worst violation", certificate)
+                    tops = show.value("['.six', '#solid-fem', '#patch-fem', '#quantities'].map(e => "
+                                      "document.querySelector(e).getBoundingClientRect().top + scrollY)")
+                    self.assertEqual(tops, sorted(tops))  # six numbers and bodies first, tables last
+                    self.assertEqual(show.value("document.querySelectorAll('.six dd').length"), 6)
+                    self.look_at_downloads(show)
+                if kind in ("result", "sweep"):
+                    self.look_at_widths(show, page)
             # What was found nowhere so far can be found: words on words, wide tables, script errors.
             show.open(self.pages["wear"])
             show.value("(word => word.after(word.cloneNode(true)))(document.querySelector('#worn-rail svg .xtick text'))")

@@ -48,6 +48,22 @@ function(conformal_room target)
   target_link_libraries(${target} PUBLIC conformal_options ${ARG_ROOMS} PRIVATE ${ARG_LIBRARIES})
 endfunction()
 
+# conformal_embed(<variable> <prefix> FILE...): files become part of a room. <variable> is a source for it: FILE's bytes,
+# with a NUL behind them, are the array <prefix>_<FILE as an identifier>.
+function(conformal_embed variable prefix)
+  foreach(file ${ARGN})
+    cmake_path(ABSOLUTE_PATH file)
+    cmake_path(GET file FILENAME name)
+    string(MAKE_C_IDENTIFIER ${name} symbol)
+    string(APPEND EMBEDDED "EMBED ${prefix}_${symbol}, \"${file}\"\n")
+    list(APPEND files ${file})
+  endforeach()
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/embedded.S)
+  configure_file(${PROJECT_SOURCE_DIR}/tools/cmake/embedded.S.in ${source} @ONLY)
+  set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS "${files}")
+  set(${variable} ${source} PARENT_SCOPE)
+endfunction()
+
 # For targets that read, print and hand on: CLI11, TOML and JSON take long to optimise, and nobody waits for what they do.
 function(conformal_hardly_optimised target)
   target_compile_options(${target} PRIVATE $<IF:$<BOOL:${CONFORMAL_SANITIZE}>,-O0,$<$<CONFIG:Release>:-O1>>)

@@ -77,6 +77,7 @@ Record record_of(const CreepCurves& c) {
   for (const CreepCurve& curve : c.curves)
     curves.add(std::string(name_of(curve.which)), table_of(curve));
   const CreepForceValues forces = forces_of(c.solution);
+  const Creepages rigid = rigid_creepages(c.solution);
   return {
       {"model", record::Text{std::string(name_of(c.solution.model))}},
       {"certified", c.certified()},
@@ -84,6 +85,9 @@ Record record_of(const CreepCurves& c) {
       {"bound", Number{c.bound, "N", "sum of mu p_n dS: no shear force is larger"}},
       {"radius", Number{c.radius, "mm", "c = sqrt(a b) of the ellipse, or of the area in contact"}},
       {"forces", field({forces.begin(), forces.end()}, "N, N, N mm", "Fx, Fs, Mz at the scene's creepages")},
+      {"rigid_creepages",
+       field({rigid.begin(), rigid.end()}, "1, 1, 1/mm",
+             "xi, eta, phi of the scene's rigid slip, with those that the geometry makes")},
       {"slopes", matrix(&c.slopes.values, "[Fx, Fs, Mz][xi, eta, phi] where nothing moves over the other")},
       {"slopes_error", matrix(&c.slopes.errors, by_step)},
       {"sensitivities",
