@@ -53,12 +53,13 @@ Command add_fatigue(CLI::App& program);      ///< shakedown, damage and stresses
 Command add_wheelset(CLI::App& program);     ///< both wheels under the forces on their axle
 Command add_study(CLI::App& program);        ///< all answers to one scene
 Command add_report(CLI::App& program);       ///< a result file as one HTML page
+Command add_explore(CLI::App& program);      ///< a page in the browser that solves as one moves it
 Command add_plot(CLI::App& program);         ///< a picture of a file; Python draws it
 
 /// All of them, in the order of the program's help.
 inline constexpr Command (*all_commands[])(CLI::App& program) = {
-    add_new,       add_from_contact, add_solve,    add_compare,  add_check,        add_info,
-    add_influence, add_profile,      add_sweep,    add_conicity, add_creep_curves, add_table,
-    add_wear,      add_fatigue,      add_wheelset, add_study,    add_report,       add_plot};
+    add_new,      add_from_contact, add_solve,    add_compare,      add_check, add_info, add_influence,
+    add_profile,  add_sweep,        add_conicity, add_creep_curves, add_table, add_wear, add_fatigue,
+    add_wheelset, add_study,        add_report,   add_explore,      add_plot};
 
 } // namespace bem_contact::app

@@ -84,6 +84,8 @@ const H5Dataset& dataset_of(const H5Table& table, const std::string& name, const
 
 /// Writes the whole file at once. Throws what write_whole() does (base/output_file.hpp).
 void write_h5(const std::filesystem::path& file, const H5Table& table);
+/// What the file would hold.
+std::string h5_bytes(const H5Table& table);
 
 /// Reads every dataset of numbers or of one text, and every attribute (of the file and its groups) that is
 /// text or a number. Throws InputError for a missing file or one that is not whole HDF5.

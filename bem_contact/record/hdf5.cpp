@@ -187,6 +187,10 @@ void write_hdf5(const std::filesystem::path& file, const Record& record) {
   write_h5(file, to_h5(record));
 }
 
+std::string hdf5_bytes(const Record& record) {
+  return h5_bytes(to_h5(record));
+}
+
 Record read_hdf5(const std::filesystem::path& file) {
   return from_h5(read_h5(file));
 }

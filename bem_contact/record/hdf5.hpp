@@ -18,6 +18,8 @@ Record from_h5(const H5Table& table);
 
 /// Writes the whole file at once. Throws what write_whole() does (base/output_file.hpp).
 void write_hdf5(const std::filesystem::path& file, const Record& record);
+/// The bytes of such a file.
+std::string hdf5_bytes(const Record& record);
 /// Throws InputError for a missing file or one that is not whole HDF5.
 Record read_hdf5(const std::filesystem::path& file);
 

@@ -5,6 +5,7 @@
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/scene/command_tables.hpp"
+#include "bem_contact/scene/directly_named.hpp"
 #include "bem_contact/scene/scene_keys.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 
@@ -175,24 +176,8 @@ std::vector<NamedFile> files_of_key(const std::string& key, const std::string& n
 
 std::vector<NamedFile> named_files(const SceneFile& scene) {
   std::vector<NamedFile> files;
-  const auto add = [&](const char* key, const std::string& name) {
-    std::ranges::move(files_of_key(key, name, scene.folder), std::back_inserter(files));
-  };
-  add("rail.profile", scene.rail.profile);
-  add("wheel.profile", scene.wheel.profile);
-  add("wheelset.left_rail_profile", scene.wheelset.left_rail);
-  add("wheelset.left_wheel_profile", scene.wheelset.left_wheel);
-  add("wheelset.left_rail_influence", scene.wheelset.left_rail_influence);
-  add("wheelset.left_wheel_influence", scene.wheelset.left_wheel_influence);
-  add("rail.influence", scene.rail.influence);
-  add("wheel.influence", scene.wheel.influence);
-  add("gap.table", scene.gap.table);
-  add("strip.inclination", scene.strip.inclination);
-  add("motion.slip_table", scene.motion.slip_table);
-  add("motion.friction_table", scene.motion.friction_table);
-  add("motion.step_table", scene.motion.step_table);
-  add("motion.start_table", scene.motion.start_table);
-  add("layer.table", scene.layer.table);
+  for (const NamedFile& named : directly_named(scene))
+    std::ranges::move(files_of_key(named.key, named.name, scene.folder), std::back_inserter(files));
   return files;
 }
 

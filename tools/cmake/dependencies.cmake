@@ -11,6 +11,9 @@ find_package(Boost 1.74 REQUIRED) # Boost.Math, headers alone: roots, quadrature
 pkg_check_modules(FFTW3 REQUIRED IMPORTED_TARGET fftw3 fftw3f)
 pkg_check_modules(OPENBLAS REQUIRED IMPORTED_TARGET openblas)
 
+# The page of `bem_contact explore`; only bem_contact/explore sees it.
+pkg_check_modules(CPP_HTTPLIB REQUIRED IMPORTED_TARGET cpp-httplib)
+
 # Only bem_contact/h5 sees HDF5. It is the serial library in every build: deal.II brings the
 # OpenMPI one, and Debian gives the two different symbol versions, so that both may live in one
 # process as long as the room is linked as a shared library of its own.

@@ -1,0 +1,133 @@
+#include "bem_contact/explore/answers.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/said_by.hpp"
+#include "bem_contact/base/stopped.hpp"
+#include "bem_contact/explore/settings.hpp"
+#include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/record/json.hpp"
+#include "bem_contact/report/report_page.hpp"
+#include "bem_contact/sequence/result_file.hpp"
+#include "bem_contact/sequence/result_record.hpp"
+
+#include <algorithm>
+#include <array>
+#include <new>
+#include <nlohmann/json.hpp>
+
+namespace bem_contact::explore {
+
+namespace {
+
+using record::Record;
+
+constexpr const char* json_type = "application/json";
+constexpr const char* page_type = "text/html; charset=utf-8";
+constexpr const char* text_type = "text/plain; charset=utf-8";
+
+Reply problem(const char* kind, const std::string& message) {
+  const nlohmann::json said{{"problem", {{"kind", kind}, {"message", message}}}};
+  return {json_type, said.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
+}
+
+/// What the page draws: it asks for an answer many times in a second.
+bool not_drawn(std::string_view path) {
+  constexpr std::array names{
+      "data/u_x",           "data/u_s",       "data/u_n",           "data/friction_work_density",
+      "data/friction_work", "data/gap",       "data/largest_shear", "data/deformed_distance",
+      "data/step_fields",   "data/structure", "data/rigid_slip_x",  "data/rigid_slip_s"};
+  return std::ranges::find(names, path) != names.end();
+}
+
+} // namespace
+
+/// Nobody waits for the answer before.
+Answers::Stop Answers::newest(const std::string& window) {
+  const std::scoped_lock lock(counting_);
+  if (ended_)
+    throw Stopped();
+  auto stop = std::make_shared<std::atomic<bool>>(false);
+  if (const auto before = std::ranges::find(windows_, window, [](const auto& one) { return one.first; });
+      before != windows_.end()) {
+    *before->second = true;
+    windows_.erase(before);
+  }
+  windows_.emplace_front(window, stop);
+  if (windows_.size() > most_windows)
+    windows_.pop_back();
+  return stop;
+}
+
+SceneResult Answers::solve(const Question& question, Sequence& sequence, const Stop& stop) {
+  const SceneFile scene = scenes_.scene(question);
+  const std::scoped_lock lock(solving_);
+  end_if_stopped(stop.get());
+  return sequence.solve(scene, stop.get());
+}
+
+template <class Answer> Reply Answers::replied(const std::string& text, const Answer& answer) {
+  const auto said = [&](const char* kind, const std::exception& error) {
+    return problem(kind, scenes_.in_plain_names(error.what()));
+  };
+  try {
+    return answer(parse_question(text));
+  } catch (const Stopped& stopped) {
+    return problem("replaced", stopped.what());
+  } catch (const ConvergenceError& error) {
+    return said("not converged", error);
+  } catch (const InputError& error) {
+    return said("refused", error);
+  } catch (const std::bad_alloc& error) {
+    return problem("fault", said_by(error));
+  } catch (const std::exception& error) {
+    return said("fault", error);
+  }
+}
+
+Reply Answers::answer(const std::string& question) {
+  return replied(question, [&](const Question& asked) {
+    const Stop stop = newest(asked.window);
+    const SceneResult result = solve(asked, sequence_, stop);
+    const std::string scene = scenes_.in_plain_names(scene_with_defaults(scenes_.scene(asked)));
+    Record data{{"scene_with_defaults", record::Text{scene, "the scene with every key"}}};
+    data.append(record_of(result));
+    return Reply{json_type, record::to_described_json({{"data", std::move(data)}}, not_drawn)};
+  });
+}
+
+Reply Answers::scene(const std::string& question) {
+  return replied(question, [&](const Question& asked) {
+    return Reply{text_type, scenes_.given(asked).text.toml};
+  });
+}
+
+/// Solved as the command does it, from nothing: the file is the command's.
+record::Record Answers::file_of(const Question& question, const SceneResult& result) {
+  const GivenScene given = scenes_.given(question);
+  return result_file(result, given, given.text.folder / "explored.h5");
+}
+
+Reply Answers::result(const std::string& question) {
+  return replied(question, [&](const Question& asked) {
+    Sequence cold;
+    const SceneResult result = solve(asked, cold, newest(asked.window));
+    return Reply{"application/x-hdf5", record::hdf5_bytes(file_of(asked, result))};
+  });
+}
+
+Reply Answers::report(const std::string& question) {
+  return replied(question, [&](const Question& asked) {
+    Sequence cold;
+    const SceneResult result = solve(asked, cold, newest(asked.window));
+    return Reply{page_type, report::page_of_record(file_of(asked, result), "explored.h5")};
+  });
+}
+
+void Answers::end() {
+  const std::scoped_lock lock(counting_);
+  ended_ = true;
+  for (const auto& [window, stop] : windows_)
+    *stop = true;
+}
+
+} // namespace bem_contact::explore

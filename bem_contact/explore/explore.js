@@ -1,0 +1,352 @@
+// The page: one scene, its answer, and what is drawn of it.
+const start = JSON.parse(document.getElementById("data").textContent);
+const scene = {text: start.scene.text, changes: {...start.scene.changes}, files: {...start.scene.files}};
+const report = {kind: "result", file: start.name};
+let data = {}, solved, held, offerSweep; // data: of the answer that is shown; solved: the scene of the last answer; held: {scene, data}
+const element = id => document.getElementById(id);
+const sceneNow = () => ({text: scene.text, changes: {...scene.changes}, files: {...scene.files}});
+
+// --- asking: one solution in flight, the last position wins ---
+const PATIENCE = 400; // ms after which a newer position replaces a solution that is under way
+let turn = 0, since, waiting;
+
+const ask = async () => {
+  clearTimeout(waiting);
+  const left = since === undefined ? 0 : since + PATIENCE - performance.now();
+  if (left > 0)
+    return void (waiting = setTimeout(ask, left));
+  waiting = undefined;
+  const mine = ++turn, asked = sceneNow();
+  since = performance.now();
+  const reply = await answer(asked);
+  if (mine !== turn || reply.problem?.kind === "replaced")
+    return;
+  const took = performance.now() - since;
+  since = undefined;
+  await shown(reply, took, asked);
+  if (waiting !== undefined)
+    ask();
+};
+
+const moved = (key, value) => {
+  scene.changes[key] = value;
+  lastMove = performance.now();
+  ask();
+};
+
+// --- drawing ---
+let lastMove = 0, resting, drawing = 0;
+const REST = 150; // ms without a move, after which figures that are slow to draw follow
+const QUICK = 30; // ms that a figure may take to be drawn at each move
+const costs = {};
+
+const drawn = async (frame, figure) => {
+  const from = performance.now();
+  await Plotly.react(frame, figure.traces, layoutOf(figure, frame.clientWidth), {...PLOT_OPTIONS, displayModeBar: false});
+  costs[frame.id] = performance.now() - from;
+};
+
+const figuresOf = contact => {
+  const out = [["patch", patchFigure(contact, element("arrows").value)]];
+  if (extent(contact)) {
+    if (isShaped(contact)) {
+      out.push(["section", sectionFigure(contact)]);
+      if (element("in-3d").checked) {
+        const solid = solidFigure(contact, radiusOf(contact));
+        solid.layout.scene.camera = element("solid").layout?.scene.camera ?? solid.layout.scene.camera; // as it was turned
+        out.push(["solid", solid]);
+      }
+    }
+    for (const along of ["x", "s"].filter(name => contact[name].length > 1))
+      out.push([`cut-${along}`, cutFigure(contact, along)]);
+  }
+  return out;
+};
+const HEIGHTS = {solid: 400, section: 260, patch: 400, "cut-x": 260, "cut-s": 260};
+
+const drawContact = async all => {
+  const [contact] = contactsOf(data), mine = ++drawing;
+  const there = new Map(contact ? figuresOf(contact) : []);
+  for (const id of Object.keys(HEIGHTS))
+    element(id).hidden = !there.get(id);
+  for (const [id, figure] of there)
+    if (figure && (all || id === "patch" || (costs[id] ?? QUICK) < QUICK)) {
+      if (mine !== drawing)
+        return;
+      await drawn(element(id), {...figure, height: HEIGHTS[id]});
+    }
+  if (!all) {
+    clearTimeout(resting);
+    resting = setTimeout(() => drawContact(true), REST);
+  } else
+    document.body.dataset.drawn = drawing;
+};
+
+const problemShown = message => {
+  element("problem").hidden = !message;
+  element("problem").textContent = message;
+  element("page").classList.toggle("stale", Boolean(message));
+  if (!message || !solved)
+    return;
+  add("p", "", element("problem")).append(Object.assign(document.createElement("button"), {
+    type: "button", textContent: "Back to the last case that was solved", onclick: () => { Object.assign(scene, structuredClone(solved)); element("text").value = scene.text; ask(); }}));
+};
+
+/// Shows an answer, or what is wrong.
+const shown = async (reply, took, asked) => {
+  if (reply.problem) {
+    element("status").textContent = "Not solved.";
+    problemShown(reply.problem.message);
+    document.body.dataset.drawn ??= 0;
+    return;
+  }
+  data = reply.data;
+  solved = asked ?? sceneNow();
+  problemShown("");
+  showControls();
+  showNumbers(took);
+  showHeld();
+  showCommands();
+  await drawContact(performance.now() - lastMove > REST);
+};
+
+const showControls = () => {
+  const kind = sceneValue("kind") || /^kind = "(\w+)"/m.exec(data.scene_with_defaults.text)?.[1] || "wheel_rail";
+  for (const control of controls)
+    showControl(control, kind);
+  for (const {key, list} of choices)
+    list.value = sceneValue(key) || list.value;
+  choices.find(one => one.key === "position.side").row.hidden = kind !== "wheel_rail";
+  for (const {key, row, field} of profiles) {
+    row.hidden = kind !== "wheel_rail";
+    if (document.activeElement !== field)
+      field.value = sceneValue(key);
+  }
+  offerSweep(controls.filter(control => !control.row.hidden));
+};
+
+const valueText = (group, name) => number(valueOf(group, name), valueOf(group, `${name}_error`));
+
+const showNumbers = took => {
+  const [contact] = contactsOf(data), status = element("status");
+  const certified = certifiedOf(contact.group);
+  status.className = certified ? "" : "broken";
+  status.textContent = (certified ? "Certified" : `NOT certified: ${contact.group.attributes.why_not_certified ?? "a contact condition is violated"}`) +
+      `. Model: ${titleOf(contact.name).toLowerCase()}.` + (took === undefined ? "" : ` Answered in ${took.toFixed(0)} ms.`);
+  const parent = element("answer"), open = element("more")?.open;
+  parent.replaceChildren();
+  addSix(contact, parent);
+  addWarnings([["", contact]], parent);
+  const more = add("details", "", parent, {id: "more", open: Boolean(open)});
+  add("summary", "All numbers, with their errors", more);
+  const fill = () => more.open && more.childElementCount === 1 && addAllNumbers(contact, more);
+  more.addEventListener("toggle", fill);
+  fill();
+};
+
+const addAllNumbers = (contact, more) => {
+  const parent = add("div", "", more, {className: "scroll"});
+  addQuantities([contact], "The errors are those that the size of the elements is estimated to cause", "quantities", parent);
+  addPatches(contact, parent);
+};
+
+// --- two cases side by side ---
+const SAME = 1e-12;
+const describeChanges = (from, to) => {
+  const keys = [...new Set([...Object.keys(from.changes), ...Object.keys(to.changes)])];
+  return keys.filter(key => from.changes[key] !== to.changes[key])
+    .map(key => `${words(key)} (${key}) ${from.changes[key] ?? "as given"} → ${to.changes[key] ?? "as given"}`).join("; ") || "nothing";
+};
+
+const showHeld = () => {
+  const parent = element("held"), [now] = contactsOf(data);
+  parent.hidden = !held;
+  element("release").hidden = !held;
+  if (!held)
+    return;
+  const [before] = contactsOf(held.data), q = [before, now].map(contact => contact.group.quantities);
+  element("differs").textContent = `What differs: ${describeChanges(held.scene, solved)}.`;
+  const names = MAIN.filter(name => q.every(one => typeof valueOf(one, name) === "number"));
+  const share = (a, b) => Math.abs(a) > SAME ? `${(100 * (b - a) / Math.abs(a)).toFixed(1)} %` : "–";
+  element("held-table").replaceChildren();
+  addTable("", ["", "held", "now", "difference", "of the held one", "unit"], names.map(name => {
+    const [a, b] = q.map(one => valueOf(one, name));
+    return [words(name), valueText(q[0], name), valueText(q[1], name), number(b - a), share(a, b), unitText(q[1][name].unit)];
+  }), {parent: element("held-table"), numbers: [1, 2, 3, 4], id: "differences"});
+  for (const [id, contact] of [["patch-held", before], ["patch-now", now]]) {
+    const figure = patchFigure(contact, element("arrows").value);
+    if (figure)
+      drawn(element(id), {...figure, height: 340});
+  }
+};
+
+const addHeldPanel = parent => {
+  add("h2", "Two cases side by side", parent);
+  add("p", "", parent, {id: "differs", className: "caption"});
+  const both = add("div", "", parent, {className: "side-by-side"});
+  for (const [id, title] of [["patch-held", "held"], ["patch-now", "now"]]) {
+    const one = add("div", "", both);
+    add("p", title, one, {className: "caption"});
+    add("div", "", one, {id, className: "figure"});
+  }
+  add("div", "", parent, {id: "held-table", className: "scroll"});
+};
+
+// --- save, and the commands that do the same ---
+const saving = (what, name) => async () => {
+  try {
+    download(await fileOf(what, sceneNow()), name);
+  } catch (error) {
+    problemShown(error.message);
+  }
+};
+
+const numbersCsv = () => {
+  const {quantities: q} = contactsOf(data)[0].group;
+  return csvOf([["name", "value", "error", "unit", "meaning"], ...Object.keys(q).filter(name => !name.endsWith("_error")).map(name =>
+    [name, valueOf(q, name), valueOf(q, `${name}_error`), q[name].unit, q[name].description])]);
+};
+
+const savePicture = async () => {
+  const shownFigures = [...document.querySelectorAll(".figure")].filter(frame => frame.data && !frame.hidden && frame.clientWidth);
+  for (const frame of shownFigures)
+    download(await (await fetchPicture(frame)), `${frame.id}.png`);
+};
+const fetchPicture = async frame => {
+  const shownAs = {data: frame.data, layout: {...frame.layout, updatemenus: []}};
+  const text = await Plotly.toImage(shownAs, {format: "png", width: frame.clientWidth, height: frame.clientHeight, scale: 2});
+  return new Blob([Uint8Array.from(atob(text.split(",")[1]), c => c.charCodeAt(0))], {type: "image/png"});
+};
+
+const saveSweep = async () => {
+  try {
+    const text = await (await fileOf("scene", sceneNow())).text();
+    download(new Blob([text + sweepText()]), "explored_sweep.toml");
+  } catch (error) {
+    problemShown(error.message);
+  }
+};
+
+const showCommands = () => {
+  const changed = Object.keys(scene.changes).length > 0 || scene.text !== start.scene.text || start.name === "the first scene";
+  const file = changed ? "explored.toml" : start.name.replace(/^the scene of '(.*)'$/, "$1");
+  const lines = [`bem_contact solve ${file} -o explored.h5`, "bem_contact report explored.h5 -o explored.html"];
+  if (sweep.cases.length)
+    lines.push("bem_contact sweep explored_sweep.toml -o explored_sweep.h5");
+  if (held && held.scene.text === scene.text && Object.keys({...held.scene.changes, ...scene.changes})
+      .every(key => key === "solver.model" || held.scene.changes[key] === scene.changes[key])) {
+    const models = [held.data, data].map(one => contactsOf(one)[0].name);
+    if (models[0] !== models[1])
+      lines.push(`bem_contact compare ${file} --models ${models.join(",")}`);
+  }
+  element("commands").textContent = lines.join("\n");
+  element("save-sweep").hidden = element("save-sweep-csv").hidden = !sweep.cases.length;
+};
+
+const addSavePanel = parent => {
+  add("h2", "Save", parent);
+  const row = add("div", "", parent, {className: "row"});
+  const button = (text, onclick, more = {}) => add("button", text, row, {type: "button", onclick, ...more});
+  button("Scene (TOML)", saving("scene", "explored.toml"), {id: "save-scene"});
+  button("Result (HDF5)", saving("result", "explored.h5"), {id: "save-result"});
+  button("Page (HTML)", saving("report", "explored.html"), {id: "save-page"});
+  button("Numbers (CSV)", () => download(new Blob([numbersCsv()]), "explored.csv"), {id: "save-csv"});
+  button("Pictures (PNG)", savePicture, {id: "save-png"});
+  button("Sweep (TOML)", saveSweep, {id: "save-sweep", hidden: true});
+  button("Sweep (CSV)", () => download(new Blob([sweepCsv()]), "explored_sweep.csv"), {id: "save-sweep-csv", hidden: true});
+  add("p", `The same by commands. Save the scene in the folder ${start.folder || "."}, where its paths start.`, parent, {className: "caption"});
+  add("pre", "", parent, {id: "commands"});
+};
+
+// --- what is on the page ---
+const profileDropped = (key, name, text) => {
+  scene.files[name] = text;
+  moved(key, name);
+};
+
+/// A scene that is dropped, or edited on the page.
+const newScene = (text, changes = {}) => {
+  Object.assign(scene, {text, changes: {...changes}});
+  element("text").value = text;
+  for (const control of controls)
+    control.fitted = false;
+  ask();
+};
+
+const controls = [], choices = [], profiles = [];
+const addControls = form => {
+  const group = title => { const set = add("fieldset", "", form); add("legend", title, set); return set; };
+  const position = group("Position and load"), motion = group("Friction and creepage"), bodies = group("Bodies and model");
+  for (const control of CONTROLS)
+    controls.push(addControl(control, /^(motion|layer)/.test(control.key) ? motion : position, moved));
+  for (const [key, title, names] of [["rail.profile", "rail", start.rails], ["wheel.profile", "wheel", start.wheels]])
+    profiles.push(addProfileField(key, title, names, bodies, moved, profileDropped));
+  choices.push(addChoice("solver.model", "model", start.models.map(({name, title}) => [name, name === title ? name : title]), bodies, moved));
+  choices.push(addChoice("position.side", "side", [["right", "right wheel"], ["left", "left wheel"]], bodies, moved));
+  const row = add("div", "", form, {className: "row"});
+  const button = (text, id, onclick, more = {}) => add("button", text, row, {type: "button", id, onclick, ...more});
+  button("As it began", "reset", () => newScene(start.scene.text, start.scene.changes));
+  button("Hold this case", "hold", () => { held = {scene: solved, data}; showHeld(); showCommands(); });
+  button("Let it go", "release", () => { held = undefined; showHeld(); showCommands(); }, {hidden: true});
+  const fold = add("details", "", form);
+  add("summary", "The scene's text: every other key", fold);
+  const text = add("textarea", "", fold, {id: "text", spellcheck: false, value: scene.text});
+  text.setAttribute("aria-label", "the scene as TOML");
+  add("button", "Solve this text", fold, {type: "button", id: "solve-text", onclick: () => newScene(text.value)});
+  form.addEventListener("submit", event => event.preventDefault());
+};
+
+/// A file that is dropped beside the fields of the profiles: a scene, or a word on where profiles go.
+const takeDrops = () => {
+  document.addEventListener("dragover", event => event.preventDefault());
+  document.addEventListener("drop", async event => {
+    event.preventDefault();
+    const file = event.dataTransfer.files[0];
+    if (!file)
+      return;
+    if (/\.toml$/i.test(file.name) && file.size < LARGEST_FILE)
+      newScene(await file.text());
+    else
+      problemShown(`'${file.name}' is not taken (a scene ends with .toml; of a profile it is not known whose it is) Drop a profile on the field of the rail or of the wheel.`);
+  });
+};
+
+const CAPTIONS = {
+  solid: "Wheel and rail with the pressure on the patch; the wheel is lifted by 1 mm. Turn it with the mouse.",
+  patch: "The patch from above. Hatched: slip. Within the thick line: adhesion.",
+  section: "The section at the contact, looking along the track.",
+  "cut-x": "Shear traction within the bound of friction, along x through the largest pressure.", "cut-s": "The same along s."};
+const addFigures = parent => {
+  for (const [id, caption] of Object.entries(CAPTIONS)) {
+    const block = add("div", "", parent);
+    add("div", "", block, {id, className: "figure"}).style.minHeight = `${HEIGHTS[id]}px`;
+    const line = add("p", `${caption} `, block, {className: "caption"});
+    if (id === "solid") { // without a graphics card it takes seconds
+      const box = add("input", "", add("label", "Draw in 3-D ", line), {type: "checkbox", id: "in-3d", checked: true});
+      box.addEventListener("change", () => drawContact(true));
+    }
+    if (id === "patch") {
+      const list = add("select", "", add("label", "Arrows: ", line), {id: "arrows"});
+      for (const [name, {title}] of Object.entries(ARROWS))
+        add("option", title, list, {value: name});
+      list.addEventListener("change", () => { drawContact(true); showHeld(); });
+    }
+  }
+};
+
+const begin = async () => {
+  document.title = `${start.name}: bem_contact explore`;
+  addFigures(element("figures"));
+  addControls(element("controls"));
+  addHeldPanel(element("held"));
+  offerSweep = addSweepPanel(element("sweep"));
+  addSavePanel(element("save"));
+  takeDrops();
+  add("p", "x is the direction of rolling, y points to the right (left wheel: to the left), z down; s runs along the rail's profile, n into the rail. " +
+      "Forces are those on the rail. Figures: plotly.js (MIT licence), © Plotly, Inc.", element("notes"));
+  await loadLibrary();
+  let wide = innerWidth;
+  addEventListener("resize", () => { if (innerWidth !== wide && data.p_n) { wide = innerWidth; drawContact(true); showHeld(); } });
+  await ask();
+};
+begin().catch(failed);

@@ -1,0 +1,167 @@
+#include "bem_contact/explore/server.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/explore/settings.hpp"
+
+#include <array>
+#include <fmt/format.h>
+#include <httplib.h>
+#include <memory>
+#include <unistd.h>
+
+namespace bem_contact::explore {
+
+namespace {
+
+using httplib::Request;
+using httplib::Response;
+
+/// 128 bits that nobody guesses.
+std::string new_token() {
+  std::array<unsigned char, 16> bits{};
+  if (getentropy(bits.data(), bits.size()) != 0)
+    throw Error("No address can be made", "the system has no random numbers", "Try again later.");
+  std::string token;
+  for (const unsigned byte : bits)
+    token += fmt::format("{:02x}", byte);
+  return token;
+}
+
+/// Takes the same time for any text of one length, so that no token is found letter by letter.
+bool same(std::string_view a, std::string_view b) {
+  unsigned differ = a.size() == b.size() ? 0 : 1;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    differ |= static_cast<unsigned>(a[i] ^ b[i]);
+  return differ == 0;
+}
+
+void refuse(Response& response, int status, const char* message) {
+  response.status = status;
+  response.set_content(std::string(message) + "\n", "text/plain; charset=utf-8");
+}
+
+/// The library compresses what it is given as a text. That takes ten times as long as a solution, and nothing
+/// leaves this machine.
+void send(Response& response, std::shared_ptr<const std::string> text, const std::string& type) {
+  const std::size_t size = text->size();
+  response.set_content_provider(
+      size, type, [text = std::move(text)](std::size_t from, std::size_t length, httplib::DataSink& sink) {
+        return sink.write(text->data() + from, length);
+      });
+}
+
+/// Another page of the browser learns nothing of this one, and this one asks nobody else.
+const httplib::Headers headers_of_all{
+    {"Cache-Control", "no-store"},
+    {"Content-Security-Policy",
+     "default-src 'none'; script-src 'unsafe-inline' blob:; style-src 'unsafe-inline'; img-src data: blob:; "
+     "connect-src 'self'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"},
+    {"Cross-Origin-Resource-Policy", "same-origin"},
+    {"Referrer-Policy", "no-referrer"},
+    {"X-Content-Type-Options", "nosniff"},
+    {"X-Frame-Options", "DENY"}};
+
+} // namespace
+
+struct Server::Impl {
+  Answers& answers;
+  std::shared_ptr<const std::string> page;
+  std::string token = new_token(), host, address;
+  httplib::Server server;
+
+  Impl(Answers& given, std::string text)
+      : answers(given), page(std::make_shared<const std::string>(std::move(text))) {}
+
+  void open(int wanted) {
+    server.set_socket_options([](socket_t socket) { // not SO_REUSEPORT, by which two programs share a port
+      const int yes = 1;
+      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
+    const int port = wanted == 0                                ? server.bind_to_any_port("127.0.0.1")
+                     : server.bind_to_port("127.0.0.1", wanted) ? wanted
+                                                                : -1;
+    if (port < 0)
+      throw InputError(fmt::format("Port {} cannot be used", wanted), "another program may use it",
+                       "Name another one with --port, or leave --port out.");
+    host = fmt::format("127.0.0.1:{}", port);
+    address = fmt::format("http://{}/{}/", host, token);
+  }
+
+  /// Whether somebody else than our page asks; then the response says so.
+  bool refused(const Request& request, Response& response) const {
+    const std::string& path = request.path;
+    const std::size_t end = path.find('/', 1);
+    if (path.empty() || end == std::string::npos || !same(path.substr(1, end - 1), token))
+      refuse(response, 404,
+             "There is nothing here (the address is not the one that bem_contact explore printed)");
+    else if (request.get_header_value("Host") != host || request.get_header_value_count("Host") != 1)
+      refuse(response, 403,
+             "This page is for its own machine alone (the host of the request is another one)");
+    else if (request.has_header("Origin") && request.get_header_value("Origin") != "http://" + host)
+      refuse(response, 403, "This page answers itself alone (the request comes from another page)");
+    else if (request.method != "GET" && request.method != "HEAD" && request.method != "POST")
+      refuse(response, 405, "Only GET and POST are answered here");
+    else if (request.method == "POST" && request.get_header_value("Content-Type") != "application/json")
+      refuse(response, 415, "A question is application/json");
+    else
+      return false;
+    return true;
+  }
+
+  void add_routes() {
+    const std::string at = "/" + token + "/";
+    server.Get(
+        at, [this](const Request&, Response& response) { send(response, page, "text/html; charset=utf-8"); });
+    const auto answer = [&](const char* name, Reply (Answers::*function)(const std::string&)) {
+      server.Post(at + name, [this, function](const Request& request, Response& response) {
+        Reply reply = (answers.*function)(request.body);
+        send(response, std::make_shared<const std::string>(std::move(reply.body)), reply.type);
+      });
+    };
+    answer("answer", &Answers::answer);
+    answer("scene", &Answers::scene);
+    answer("result", &Answers::result);
+    answer("report", &Answers::report);
+  }
+
+  void prepare() {
+    server.new_task_queue = [] {
+      return new httplib::ThreadPool(most_connections);
+    };                            // the library deletes it
+    server.set_tcp_nodelay(true); // or each answer waits 40 ms
+    server.set_keep_alive_max_count(1'000'000);
+    server.set_keep_alive_timeout(keep_open.count());
+    server.set_payload_max_length(largest_request);
+    server.set_default_headers(headers_of_all);
+    server.set_pre_routing_handler([this](const Request& request, Response& response) {
+      return refused(request, response) ? httplib::Server::HandlerResponse::Handled
+                                        : httplib::Server::HandlerResponse::Unhandled;
+    });
+    server.set_exception_handler([](const Request&, Response& response, const std::exception_ptr&) {
+      refuse(response, 500, "Something this program did not foresee");
+    });
+    add_routes();
+  }
+};
+
+Server::Server(Answers& answers, std::string page, int port)
+    : impl_(std::make_unique<Impl>(answers, std::move(page))) {
+  impl_->open(port);
+  impl_->prepare();
+}
+
+Server::~Server() = default;
+
+const std::string& Server::address() const {
+  return impl_->address;
+}
+
+void Server::serve() {
+  impl_->server.listen_after_bind();
+}
+
+void Server::stop() {
+  impl_->server.stop();
+}
+
+} // namespace bem_contact::explore

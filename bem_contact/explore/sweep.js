@@ -1,0 +1,114 @@
+// Sweeps: one answer after the other over what a slider moves. All are kept, so that a click shows one at once.
+const SWEPT = ["Fx", "Fy", "Fz", "Mz", "pmax", "area", "T_gamma", "approach"];
+const sweep = {key: "", cases: [], running: false}; // each case: {value, reply}
+
+/// The answers as one table, as a file of a sweep has it (curve_figures.js).
+const sweepData = () => {
+  const control = CONTROLS.find(one => one.key === sweep.key), good = sweep.cases.find(one => one.reply.data);
+  if (!good)
+    return undefined;
+  const results = sweep.cases.map(one => one.reply.data), of = (name, result) => result?.quantities[name]?.values[0] ?? null;
+  const out = {[sweep.key]: {values: sweep.cases.map(one => toField(control, one.value)), unit: control.unit || "1", description: "swept over"},
+               status: {values: results.map(result => result ? 1 : 3)}, patches: {case: {values: []}}};
+  for (const name of SWEPT.filter(name => good.reply.data.quantities[name])) {
+    const {unit, description} = good.reply.data.quantities[name];
+    out[name] = {values: results.map(result => of(name, result)), unit, description};
+    out[`${name}_error`] = {values: results.map(result => of(`${name}_error`, result)), unit};
+  }
+  results.forEach((result, i) => {
+    const count = result?.patches?.Fn?.values.length ?? 0;
+    for (const [name, column] of count ? Object.entries(result.patches) : [])
+      (out.patches[name] ??= {...column, values: []}).values.push(...column.values);
+    out.patches.case.values.push(...Array(count).fill(i));
+  });
+  out.patches.patch = {values: out.patches.case.values.map((at, k, all) => k - all.indexOf(at))};
+  return out;
+};
+
+/// Figures of the sweep; a click on a mark shows that case.
+const drawSweep = async parent => {
+  const table = sweepData();
+  if (!table)
+    return;
+  const wanted = [["Fx", "Fy"], ["pmax"], ["T_gamma"], ["Mz"]].filter(names => names.every(name => table[name]))
+                     .map(names => [`sweep-${names.join("-")}`, sweepFigure(table, [sweep.key], sweep.key, names)]);
+  if (table.patches.y?.values.some(y => y !== null))
+    wanted.unshift(["sweep-patches", patchesFigure(table, sweep.key)]);
+  for (const [id, figure] of wanted) {
+    const frame = document.getElementById(id) ?? add("div", "", parent, {id, className: "figure"});
+    await drawn(frame, {...figure, height: 300});
+    frame.removeAllListeners?.("plotly_click");
+    frame.on("plotly_click", event => showCase(event.points[0].customdata));
+  }
+};
+
+/// Shows a case of the sweep as if its slider stood there.
+const showCase = i => {
+  const one = sweep.cases[i];
+  scene.changes[sweep.key] = one.value;
+  document.activeElement?.blur();
+  shown(one.reply);
+};
+
+const sweepCsv = () => {
+  const table = sweepData(), names = Object.keys(table).filter(name => !["status", "patches"].includes(name));
+  return csvOf([names.map(name => withUnit(name, table[name])), ...sweep.cases.map((_, i) => names.map(name => table[name].values[i]))]);
+};
+
+/// The sweep as a table of a scene.
+const sweepText = () => {
+  const values = sweep.cases.map(one => one.value);
+  return `\n[sweep]\n${sweep.key} = [${values.join(", ")}]\n`;
+};
+
+/// The panel: which key, from where to where, how many; then the figures.
+const addSweepPanel = parent => {
+  add("h2", "Sweep", parent);
+  const row = add("div", "", parent, {className: "row"}), field = (text, more) => add("input", "", add("label", text, row), more);
+  const keys = add("select", "", add("label", "over ", row), {id: "sweep-key"});
+  const from = field("from ", {type: "number", step: "any", id: "sweep-from"}), to = field("to ", {type: "number", step: "any", id: "sweep-to"});
+  const count = field("cases ", {type: "number", min: 2, max: 201, value: 17, id: "sweep-count"});
+  const run = add("button", "Sweep", row, {type: "button", id: "sweep-run"}), bar = add("progress", "", row, {hidden: true});
+  const note = add("p", "A click on a mark shows its patch.", parent, {className: "caption", hidden: true});
+  const figures = add("div", "", parent, {className: "side-by-side"});
+  const ends = () => {
+    const control = controls.find(one => one.key === keys.value);
+    [from.value, to.value] = [control.slider.min, control.slider.max];
+  };
+  keys.addEventListener("change", ends);
+  run.addEventListener("click", async () => {
+    if (sweep.running)
+      return void (sweep.running = false);
+    const control = CONTROLS.find(one => one.key === keys.value), n = Math.min(201, Math.max(2, Math.round(Number(count.value)) || 2));
+    const values = Array.from({length: n}, (_, k) => toKey(control, Number(from.value) + (Number(to.value) - Number(from.value)) * k / (n - 1)));
+    Object.assign(sweep, {key: keys.value, cases: [], running: true});
+    run.textContent = "Stop";
+    Object.assign(bar, {hidden: false, max: n, value: 0});
+    const asked = sceneNow();
+    for (const value of values) {
+      const reply = await answer({...asked, changes: {...asked.changes, [sweep.key]: value}}, "sweep");
+      if (!sweep.running)
+        break;
+      sweep.cases.push({value, reply});
+      bar.value = sweep.cases.length;
+    }
+    sweep.running = false;
+    run.textContent = "Sweep";
+    bar.hidden = true;
+    const refused = sweep.cases.filter(one => one.reply.problem);
+    note.hidden = false;
+    note.textContent = `${sweep.cases.length - refused.length} of ${n} cases are solved. A click on a mark shows its patch.` +
+                       (refused.length ? ` Not solved: ${refused[0].reply.problem.message}` : "");
+    await drawSweep(figures);
+    showCommands();
+  });
+  return shown => { // the keys that have a slider now
+    const offered = shown.filter(one => !one.inverse); // a curve's radius has no middle
+    if (offered.map(one => one.key).join() === [...keys.options].map(one => one.value).join())
+      return;
+    keys.replaceChildren();
+    for (const one of offered)
+      add("option", one.title, keys, {value: one.key});
+    ends();
+  };
+};

@@ -1,0 +1,32 @@
+#include "bem_contact/scene/directly_named.hpp"
+
+#include "bem_contact/profile/read_profile.hpp"
+
+namespace bem_contact {
+
+std::vector<NamedFile> directly_named(const SceneFile& scene) {
+  std::vector<NamedFile> files;
+  const auto add = [&](const char* key, const std::string& name) {
+    if (!name.empty())
+      files.push_back(
+          {key, name, names_profile(key) ? profile_file_name(name, scene.folder).file : scene.folder / name});
+  };
+  add("rail.profile", scene.rail.profile);
+  add("wheel.profile", scene.wheel.profile);
+  add("wheelset.left_rail_profile", scene.wheelset.left_rail);
+  add("wheelset.left_wheel_profile", scene.wheelset.left_wheel);
+  add("wheelset.left_rail_influence", scene.wheelset.left_rail_influence);
+  add("wheelset.left_wheel_influence", scene.wheelset.left_wheel_influence);
+  add("rail.influence", scene.rail.influence);
+  add("wheel.influence", scene.wheel.influence);
+  add("gap.table", scene.gap.table);
+  add("strip.inclination", scene.strip.inclination);
+  add("motion.slip_table", scene.motion.slip_table);
+  add("motion.friction_table", scene.motion.friction_table);
+  add("motion.step_table", scene.motion.step_table);
+  add("motion.start_table", scene.motion.start_table);
+  add("layer.table", scene.layer.table);
+  return files;
+}
+
+} // namespace bem_contact

@@ -1,0 +1,135 @@
+#include "bem_contact/explore/answers.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+namespace bem_contact {
+
+namespace {
+
+using explore::Answers;
+using explore::Start;
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* small = R"(rail.profile = "60E1"
+wheel.profile = "S1002"
+load.force = 5e4
+solver.model = "halfspace"
+motion = { friction = 0.3, free_rolling = false }
+grid = { dx = 1.0, ds = 1.0 }
+)";
+
+json answer_of(Answers& answers, const std::string& text, const json& changes = json::object(),
+               const json& files = json::object()) {
+  const json question{{"text", text}, {"changes", changes}, {"files", files}, {"window", "test"}};
+  return json::parse(answers.answer(question.dump()).body);
+}
+
+std::string problem_of(const json& reply) {
+  return reply.contains("problem") ? reply["problem"]["message"].get<std::string>() : "";
+}
+
+double quantity_of(const json& reply, const char* name) {
+  return reply.at("data").at("quantities").at(name).at("values").at(0);
+}
+
+/// Points of a rail's head with steep sides, as a file has them.
+std::string rail_points() {
+  std::string out;
+  for (double y = -36; y <= 36; y += 0.5)
+    out += std::to_string(y) + " " + std::to_string(y * y / 600 + 36 * std::pow(std::abs(y) / 36, 10)) + "\n";
+  return out;
+}
+
+} // namespace
+
+TEST(Answers, AreThoseOfTheSolver) {
+  Answers answers(Start{.scene = {small}});
+  const json reply = answer_of(answers, small, {{"position.lateral", 1.0}, {"load.force", 60000}});
+  const SceneResult alone = Sequence().solve(
+      parse_scene_file({small}, std::vector<SceneChange>{{"position.lateral", 1.0}, {"load.force", 6e4}}));
+  EXPECT_NEAR(quantity_of(reply, "Fz"), 6e4, 1e-2);
+  EXPECT_NEAR(quantity_of(reply, "Fy"), alone.result.Fy, 1e-5 * 6e4);
+  EXPECT_EQ(reply["data"]["attributes"]["certified"], 1);
+  EXPECT_THAT(reply["data"]["scene_with_defaults"]["text"].get<std::string>(), HasSubstr("lateral = 1"));
+}
+
+TEST(Answers, SayWhatIsWrong) {
+  Answers answers(Start{.scene = {small}});
+  EXPECT_THAT(problem_of(answer_of(answers, small, {{"position.latteral", 1.0}})),
+              HasSubstr("position.lateral"));
+  EXPECT_THAT(problem_of(answer_of(answers, small, {{"position.lateral", 500.0}})), Not(testing::IsEmpty()));
+  for (const char* question :
+       {"", "[]", "{", R"({"text": 3})", R"({"text": "", "changes": []})",
+        R"({"text": "", "changes": {"load.force": null}})", R"({"text": "", "files": {"a": 1}})"})
+    EXPECT_THAT(answers.answer(question).body, HasSubstr("cannot be read")) << question;
+  EXPECT_NE(quantity_of(answer_of(answers, small), "pmax"), 0); // and answers go on
+}
+
+TEST(Answers, ReadNoOtherFiles) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "explore_files";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "named.txt") << rail_points();
+  std::ofstream(folder / "secret.txt") << rail_points();
+  std::ofstream(folder / "body.toml") << "[body]\nkind = \"rail\"\nprofile = \"secret.txt\"\n";
+  std::string with_file = small;
+  with_file.replace(with_file.find("60E1"), 4, "named.txt");
+  Answers answers(Start{.scene = {with_file, "scene", folder}});
+  EXPECT_EQ(problem_of(answer_of(answers, with_file)), "");
+  EXPECT_EQ(problem_of(answer_of(answers, with_file, {{"rail.profile", "../explore_files/named.txt"}})), "");
+  for (const char* other : {"secret.txt", "/etc/passwd", "body.toml", "named.txt/../secret.txt"})
+    EXPECT_THAT(problem_of(answer_of(answers, with_file, {{"rail.profile", other}})),
+                HasSubstr("is not read"))
+        << other;
+  for (const char* key : {"rail.influence", "motion.friction_table", "layer.table"})
+    EXPECT_THAT(problem_of(answer_of(answers, with_file, {{key, "secret.txt"}})), HasSubstr("is not read"))
+        << key;
+  // A body file that is dropped may not lead to others.
+  const json dropped{
+      {"mine.toml", "[body]\nkind = \"rail\"\nprofile = \"" + (folder / "secret.txt").string() + "\"\n"}};
+  EXPECT_THAT(problem_of(answer_of(answers, with_file, {{"rail.profile", "mine.toml"}}, dropped)),
+              HasSubstr("is not read"));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Answers, TakeProfilesThatAreDropped) {
+  Answers answers(Start{.scene = {small}});
+  const json changes{{"rail.profile", "mine.txt"}}, files{{"mine.txt", rail_points()}};
+  const json reply = answer_of(answers, small, changes, files);
+  EXPECT_EQ(problem_of(reply), "");
+  EXPECT_THAT(reply["data"]["scene_with_defaults"]["text"].get<std::string>(),
+              HasSubstr("profile = \"mine.txt\""));
+  const std::string bad = problem_of(answer_of(answers, small, changes, {{"mine.txt", "no points\n"}}));
+  EXPECT_THAT(bad, HasSubstr("mine.txt"));
+  EXPECT_THAT(bad, Not(HasSubstr("bem_contact_"))); // the folder of copies is nobody's business
+  // The result holds the profile, and its scene names it as the page does.
+  const json question{{"text", small}, {"changes", changes}, {"files", files}};
+  const std::string file = answers.result(question.dump()).body;
+  EXPECT_TRUE(file.starts_with("\x89HDF"));
+  EXPECT_THAT(answers.scene(question.dump()).body, HasSubstr("rail.profile = \"mine.txt\""));
+}
+
+TEST(Answers, ANewerQuestionOfAWindowReplacesTheOneBefore) {
+  Answers answers(Start{.scene = {small}});
+  json slow{{"text", small}, {"changes", {{"grid.dx", 0.03}, {"grid.ds", 0.03}}}, {"window", "a"}};
+  std::string first;
+  std::thread asking([&] { first = answers.answer(slow.dump()).body; });
+  while (first.empty()) { // until the first question is known, the second one cannot replace it
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    slow["changes"] = {{"load.force", 1e4}};
+    EXPECT_EQ(problem_of(json::parse(answers.answer(slow.dump()).body)), "");
+  }
+  asking.join();
+  EXPECT_THAT(first, HasSubstr("\"replaced\""));
+  answers.end();
+  EXPECT_THAT(answers.answer(slow.dump()).body, HasSubstr("\"replaced\""));
+}
+
+} // namespace bem_contact
