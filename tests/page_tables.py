@@ -43,6 +43,8 @@ def read(file):
 def same(cell, values):
     """Whether the numbers of a cell are these values, as far as they are written out; one number may stand for equal ones."""
     numbers = NUMBER.findall(cell.split("+-")[0])
+    if values == [""]:
+        return not numbers
     if len(numbers) == 1:
         numbers = numbers * len(values)
     if len(numbers) != len(values):
@@ -74,7 +76,10 @@ def faults_of(text, folder, left_out=frozenset()):
             if len(row) != len(names):
                 faults.append(f"{len(names)} names for the cells {row}")
                 continue
-            for cell, name in zip(row, names):
+            if value_in(tables, first, names[0], names[0], row[0]) is None:
+                faults.append(f"the files have no row {row[0]}")
+                continue
+            for cell, name in zip(row[1:], names[1:]):
                 values = [] if name == "-" else [value_in(tables, first, one, names[0], row[0]) for one in name.split("/")]
                 if None in values or (values and not same(cell, values)):
                     faults.append(f"'{cell}' in the row {row[0]} is not {name} = {values}")
