@@ -141,7 +141,7 @@ const addSweep = () => {
       addFigure(`over-${names.join("-")}`, `${[...new Set(names.map(ofEither))].map(words).join(" and ")} over the ${key ? words(key) : "cases"}.`,
                 {...sweepFigure(data, keys, key, names), click: index => showCase?.(index)});
   const status = ["missing", "certified", "not certified", "refused", "died"];
-  addTable("All cases", ["case", ...keys.map(k => titled(k, data[k])), ...columns.map(name => titled(name, data[name])), "status"],
+  addTable("All cases", ["case", ...keys.map(k => withUnit(k, data[k]).replace(".", ".\u200b")), ...columns.map(name => withUnit(name, data[name])), "status"],
            data.status.values.map((state, i) =>
              [i, ...keys.map(k => keyText(data[k], i)),
               ...columns.map(name => inDegrees(number(data[name].values[i], data[`${name}_error`]?.values[i]), data[name].values[i], data[name].unit)),
