@@ -1,7 +1,6 @@
 #include "bem_contact/geometry/placement.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/wheel_datum.hpp"
 
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>
@@ -147,7 +146,7 @@ WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, Tabul
                           Point2{side * position.rail_lateral, position.rail_vertical};
   pair.rail_pose.angle += side * position.rail_roll;
 
-  const Point2 by_flange{position.back_to_back / 2 + flange_back_to_tape_circle, 0};
+  const Point2 by_flange{position.back_to_back / 2 + position.tape_circle, 0};
   const Point2 tape = position.wheel_origin.value_or(by_flange) + Point2{0, position.wheel_radius};
   pair.wheel_pose.origin =
       Point2{pair.centre_y, -position.wheel_radius} + turned(tape, pair.wheel_pose.angle);

@@ -2,6 +2,7 @@
 
 #include "bem_contact/geometry/roller.hpp"
 #include "bem_contact/geometry/tabulated_profile.hpp"
+#include "bem_contact/profile/profile_reading.hpp"
 
 #include <optional>
 
@@ -26,10 +27,11 @@ struct WheelsetPosition {
   double gauge = 1435;               ///< mm
   double gauge_height = 14;          ///< where the gauge is measured: below the top of the rail, mm
   double back_to_back = 1360;        ///< distance between the flange backs, mm
-  double rail_inclination = 0;       ///< rail inclination towards the track centre, rad
-  double roll = 0;                   ///< wheelset roll, rad, right side down
-  double yaw = 0;                    ///< wheelset yaw, rad, front to the right
-  double wheel_radius = 460;         ///< nominal, at the tape circle, mm
+  double tape_circle = flange_back_to_tape_circle; ///< distance of the tape circle from the flange back, mm
+  double rail_inclination = 0;                     ///< rail inclination towards the track centre, rad
+  double roll = 0;                                 ///< wheelset roll, rad, right side down
+  double yaw = 0;                                  ///< wheelset yaw, rad, front to the right
+  double wheel_radius = 460;                       ///< nominal, at the tape circle, mm
   /// Deviations of the rail from where gauge and inclination put it: to the right, down, and turned right
   /// side down.
   double rail_lateral = 0, rail_vertical = 0, rail_roll = 0; ///< mm, mm, rad
@@ -69,9 +71,9 @@ struct Pose {
 /// its section, is half the head's width farther out.) Then the rail is moved by its deviations and turned
 /// about the origin of its section. Wheel: the wheelset's centre is displaced by `lateral`; the wheelset is
 /// rolled about it (right side down), then yawed about the vertical through it (right-hand side backwards).
-/// The tape circle is at back_to_back / 2 + 70 mm from it. The wheel's surface is the profile turned about
-/// the axle, r = wheel_radius + z of its section. In a flexible wheelset this wheel is then moved by its
-/// WheelDeviation. On a roller rig the rail is a Roller, and all places are unrolled ones.
+/// The tape circle is at back_to_back / 2 + tape_circle from it. The wheel's surface is the profile turned
+/// about the axle, r = wheel_radius + z of its section. In a flexible wheelset this wheel is then moved by
+/// its WheelDeviation. On a roller rig the rail is a Roller, and all places are unrolled ones.
 /// WheelsetPosition::rail_origin and wheel_origin put the origins of the sections elsewhere.
 struct WheelOnRail {
   TabulatedProfile rail, wheel;      ///< in their own section frames

@@ -26,6 +26,13 @@ void add_flange_back(Schema& s, const std::string& table, ProfileReading& readin
         {.unit = "mm"});
 }
 
+void add_tape_circle(Schema& s, const std::string& table, double& tape_circle,
+                     const std::vector<std::string>& kinds) {
+  SchemaTable t(s, table, kinds);
+  t.add("tape_circle", tape_circle, "Distance of the wheel's tape circle from the back of its flange",
+        {.unit = "mm", .above = 0});
+}
+
 std::vector<std::string> given_reading(const Schema& schema, const std::string& table) {
   std::vector<std::string> given;
   for (const char* key : {"smoothing", "nominal", "unit", "profile_z", "mirror"})

@@ -21,6 +21,9 @@ template <> struct EnumNames<ProfileZ> {
   static constexpr std::array<std::string_view, 3> names{"as stated", "up", "down"};
 };
 
+/// Distance of the tape circle from the back of the flange, mm (EN 13715: the profile's y = -70).
+inline constexpr double flange_back_to_tape_circle = 70.0;
+
 /// How a profile file is read, beyond what the file says itself. The defaults read a file as it stands.
 struct ProfileReading {
   /// Shortest wavelength kept, mm (profile_smoothing.hpp); 0: every point is kept as it is.
@@ -35,6 +38,8 @@ struct ProfileReading {
   /// Wheel: y of the back of its flange in the file, mm. Empty: y = 0 is at the tape circle, unless the
   /// flange lies so that y = 0 can only be its back.
   std::optional<double> flange_back = {};
+  /// Wheel: distance of its tape circle from the back of its flange, mm.
+  double tape_circle = flange_back_to_tape_circle;
   /// y and z keep the file's origin, whatever lies there: for bodies that are placed by their coordinates.
   bool keep_origin = false;
 
@@ -46,6 +51,9 @@ void add_profile_reading(Schema& schema, const std::string& table, ProfileReadin
                          const std::vector<std::string>& kinds);
 /// Declares flange_back.
 void add_flange_back(Schema& schema, const std::string& table, ProfileReading& reading,
+                     const std::vector<std::string>& kinds);
+/// Declares tape_circle.
+void add_tape_circle(Schema& schema, const std::string& table, double& tape_circle,
                      const std::vector<std::string>& kinds);
 
 /// Which of these keys the file gives a value that is not the default: "rail.smoothing", ...

@@ -34,9 +34,20 @@ constexpr double least_removed = 5e-4;
 /// 1 (share of the advised smoothing). Less leaves noise that shows: its pressure grows by half.
 constexpr double least_smoothing_share = 0.85;
 
+/// A wheel that comes with its own distance of the tape circle from the flange back.
+void require_tape_circle(std::string_view name, double its, const ProfileReading& reading) {
+  if (its != reading.tape_circle)
+    throw InputError(fmt::format("The tape circle of {} is {:g} mm from its flange back", name, its),
+                     fmt::format("position.tape_circle is {:g} mm", reading.tape_circle),
+                     fmt::format("Give position.tape_circle = {:g} with this wheel.", its));
+}
+
 /// The contact curve of a body file; a rail is walked towards +y, a wheel towards -y.
-ProfileCurve profile_of_body(const std::filesystem::path& file, ProfileKind kind) {
+ProfileCurve profile_of_body(const std::filesystem::path& file, ProfileKind kind,
+                             const ProfileReading& reading) {
   const BodyFile body = read_body_file(file);
+  if (kind == ProfileKind::wheel && body.body.kind != BodyKind::outline)
+    require_tape_circle(file.string(), body.body.reading.tape_circle, reading);
   if (body.body.profile.ends_with(".toml"))
     throw InputError(
         fmt::format("{} names the body file {} as its profile", file.string(), body.body.profile),
@@ -166,7 +177,7 @@ MeasuredProfile parse_measured_profile(std::string_view text, std::string_view s
   if (std::ranges::count(text, '\n') > most_points)
     throw InputError(fmt::format("The profile {} has more than {} points", source, most_points),
                      "a measured profile has some thousands", "Take fewer of its points.");
-  MeasuredPoints measured = points_of(text, source, kind, part, reading.mirror);
+  MeasuredPoints measured = points_of(text, source, kind, part, reading);
   ProfileReading how = reading;
   how.mirror = reading.mirror && !is_vampire(text); // there it has chosen the left profile, mirrored
   const std::vector<Point2> points = repaired(std::move(measured), source, kind, how);
@@ -245,6 +256,8 @@ ProfileCurve named_profile(std::string_view name, ProfileKind kind, const std::f
       throw InputError(fmt::format("{} is the profile of a {}", name, name_of(its_kind)),
                        fmt::format("a {} is asked for", name_of(kind)),
                        kind == ProfileKind::rail ? "Use for instance 60E1." : "Use for instance S1002.");
+    if (kind == ProfileKind::wheel)
+      require_tape_circle(name, flange_back_to_tape_circle, reading);
     warn_of_hidden_file(std::string(name), folder);
     return standard_profile(name);
   }
@@ -254,7 +267,7 @@ ProfileCurve named_profile(std::string_view name, ProfileKind kind, const std::f
                      fmt::format("it is no standard's name and there is no file {}", file.string()),
                      advice_on_name(name));
   }
-  return file.extension() == ".toml" ? profile_of_body(file, kind)
+  return file.extension() == ".toml" ? profile_of_body(file, kind, reading)
                                      : measured_profile(file, kind, reading, part).curve;
 }
 

@@ -69,17 +69,17 @@ std::optional<double> steep_back(std::span<const Point2> points, Point2 tip) {
   return steep ? std::optional(end.y) : std::nullopt;
 }
 
-void warn_of_back(std::span<const Point2> points, double y_sign, const std::string& source) {
+void warn_of_back(std::span<const Point2> points, double y_sign, const std::string& source,
+                  double tape_circle) {
   const auto tip = flange_tip(points);
   const auto back = tip ? steep_back(points, *tip) : std::nullopt;
-  if (!back || std::abs(*back + flange_back_to_tape_circle) <= usual_back)
+  if (!back || std::abs(*back + tape_circle) <= usual_back)
     return;
   messages()->warn(
       "{}: the flange ends in a steep face at y = {:.1f} mm of the file, and where y = 0 is at the tape "
       "circle its back is at {:g} mm: is this the back? (wheel.flange_back = {:.1f} puts it at its place; "
       "{:g} says that y is as it should be)",
-      source, y_sign * *back, -y_sign * flange_back_to_tape_circle, y_sign * *back,
-      -y_sign * flange_back_to_tape_circle);
+      source, y_sign * *back, -y_sign * tape_circle, y_sign * *back, -y_sign * tape_circle);
 }
 
 } // namespace
@@ -103,7 +103,7 @@ void set_wheel_datum(std::vector<Point2>& points, double y_sign, const std::stri
     return;
   const auto move = [&](double back) {
     for (Point2& p : points)
-      p.y -= back + flange_back_to_tape_circle;
+      p.y -= back + reading.tape_circle;
   };
   const auto tip = flange_tip(points);
   if (reading.flange_back) {
@@ -120,7 +120,7 @@ void set_wheel_datum(std::vector<Point2>& points, double y_sign, const std::stri
         "flange is at y = 0: the wheel stands {:.0f} mm beside its place (say wheel.flange_back)",
         source, y_sign * tip->y, std::abs(tip->y - usual_tip));
   } else {
-    warn_of_back(points, y_sign, source);
+    warn_of_back(points, y_sign, source, reading.tape_circle);
   }
   warn_of_height(points, source);
 }

@@ -25,6 +25,12 @@ template <> struct EnumNames<WheelSide> {
   static constexpr std::array<std::string_view, 2> names{"right", "left"};
 };
 
+/// Whose track and wheelsets these are (network.hpp).
+enum class Network { uic, gb, china, arema };
+template <> struct EnumNames<Network> {
+  static constexpr std::array<std::string_view, 4> names{"UIC", "GB", "China", "AREMA"};
+};
+
 /// Where a body stands across the track: by its gauge face or its flange back, or where its file puts it.
 enum class BodyPlace { gauge, absolute };
 template <> struct EnumNames<BodyPlace> {

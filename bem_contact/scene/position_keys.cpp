@@ -42,6 +42,7 @@ void add_position(Schema& s, SceneFile::Position& p) {
   t.add("gauge_height", p.gauge_height, "Depth below the top of the rail where the gauge is taken",
         {.unit = "mm", .above = 0});
   t.add("back_to_back", p.back_to_back, "Distance between the flange backs", {.unit = "mm", .above = 0});
+  add_tape_circle(s, "position", p.tape_circle, wheel_rail_alone);
   t.add("rail_inclination", p.rail_inclination,
         "Inclination of the rail towards the track centre (1:40 is 0.025)",
         {.unit = "rad", .at_least = -0.5, .at_most = 0.5, .formerly = "position.cant"});
@@ -70,6 +71,9 @@ void add_position(Schema& s, SceneFile::Position& p) {
 
 void add_track(Schema& s, SceneFile::Track& track) {
   SchemaTable t(s, "track", wheel_rail_alone);
+  t.add("network", track.network, "none",
+        "Whose gauge, gauge_height, back_to_back, tape_circle and rail_inclination [position] has where it "
+        "does not give them; none: those of its defaults");
   t.add(
       "curve_radius", track.curve_radius,
       "Radius of the curve, above 0: its centre is to the right; the wheelset then yaws at motion.speed over "

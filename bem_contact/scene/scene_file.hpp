@@ -60,6 +60,7 @@ struct SceneFile {
 
   /// [track], wheel_rail: the curve that the wheelset runs through
   struct Track {
+    std::optional<Network> network = {};     ///< where what [position] leaves out comes from (network.hpp)
     std::optional<double> curve_radius = {}; ///< mm; above 0: its centre is to the right
     double superelevation = 0;               ///< mm over `base`; above 0: the outer rail is higher
     double base = 1500;                      ///< distance of the rolling circles, mm

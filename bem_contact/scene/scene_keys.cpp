@@ -1,6 +1,7 @@
 #include "bem_contact/scene/scene_keys.hpp"
 
 #include "bem_contact/base/material_keys.hpp"
+#include "bem_contact/scene/network.hpp"
 
 namespace bem_contact {
 
@@ -153,6 +154,8 @@ Schema scene_schema(SceneFile& f, SceneKeysAsRead& read) {
 void settle(SceneFile& f, const Schema& s, const SceneKeysAsRead& read) {
   settle_material(s, "rail.material", f.rail.material, read.rail_young);
   settle_material(s, "wheel.material", f.wheel.material, read.wheel_young);
+  set_network(f, s);
+  f.wheel.reading.tape_circle = f.position.tape_circle;
   for (SceneFile::Side* side : {&f.rail, &f.wheel})
     if (side->place == BodyPlace::absolute) {
       side->reading.keep_origin = true;

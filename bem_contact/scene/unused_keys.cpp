@@ -121,7 +121,7 @@ std::vector<Cause> causes_of_bodies(const SceneFile& f) {
       {{"position.gauge", "position.gauge_height"},
        f.rail.place == BodyPlace::absolute,
        "rail.place = \"absolute\" places the rail"},
-      {{"position.back_to_back"},
+      {{"position.back_to_back", "position.tape_circle"},
        f.wheel.place == BodyPlace::absolute,
        "wheel.place = \"absolute\" places the wheel"},
   };

@@ -131,7 +131,7 @@ std::string no_play(const WheelsetPosition& position, const TabulatedProfile& wh
     return "";
   // The flank of the flange where the gauge is measured, or at half its height if it is as low as that.
   const double depth = std::min(position.gauge_height, tip->z / 2);
-  const double tape_circle = position.back_to_back / 2 + flange_back_to_tape_circle;
+  const double tape_circle = position.back_to_back / 2 + position.tape_circle;
   double flank = tip->y;
   for (const TabulatedProfile::Node& node : wheel.nodes())
     if (node.position.z < depth && node.position.y > tip->y)

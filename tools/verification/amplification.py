@@ -13,7 +13,7 @@ FRACTIONS = (0.125, 0.25, 0.5)
 SCENES = ROOT / "data" / "scenes"
 # What an input's change is relative to, where not to its own value: a length that places bodies to 10 mm, about the
 # clearance of the flange; an angle to 0.1 rad.
-PLACES = {f"position.{k}": 10.0 for k in ("lateral", "gauge", "gauge_height", "back_to_back", "vertical", "rail_lateral",
+PLACES = {f"position.{k}": 10.0 for k in ("lateral", "gauge", "gauge_height", "back_to_back", "tape_circle", "vertical", "rail_lateral",
                                           "rail_vertical")}
 ANGLES = {f"position.{k}": 0.1 for k in ("roll", "yaw", "rail_inclination", "rail_roll")}
 ALWAYS = {"wheel_rail": {"position.gauge": 1435.0, "position.back_to_back": 1360.0, "position.wheel_radius": 460.0,

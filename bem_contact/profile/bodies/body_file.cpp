@@ -65,6 +65,7 @@ void add_body(Schema& s, BodyFile::Body& body) {
         {.kinds = {"rail", "wheel"}});
   add_profile_reading(s, "body", body.reading, {"rail", "wheel"});
   add_flange_back(s, "body", body.reading, {"wheel"});
+  add_tape_circle(s, "body", body.reading.tape_circle, {"wheel"});
   t.add("graft_onto", body.graft_onto,
         "Of a profile file: the standard whose body carries it; empty: 60E1 or S1002",
         {.kinds = {"rail", "wheel"}});

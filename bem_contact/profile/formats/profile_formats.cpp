@@ -81,7 +81,7 @@ void require_text_in_columns(std::string_view text, const std::string& source) {
 } // namespace
 
 MeasuredPoints points_of(std::string_view text, const std::string& source, ProfileKind kind, int part,
-                         bool left) {
+                         const ProfileReading& reading) {
   if (is_miniprof(text))
     return miniprof_points(text, source, part);
   if (part > 1)
@@ -90,7 +90,7 @@ MeasuredPoints points_of(std::string_view text, const std::string& source, Profi
   if (!is_simpack(text) && !is_vampire(text))
     require_text_in_columns(text, source);
   return is_simpack(text)   ? simpack_points(text, source, kind)
-         : is_vampire(text) ? vampire_points(text, source, kind, left)
+         : is_vampire(text) ? vampire_points(text, source, kind, reading)
                             : plain_points(text, source);
 }
 

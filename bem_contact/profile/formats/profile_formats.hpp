@@ -2,6 +2,7 @@
 
 #include "bem_contact/profile/formats/measured_points.hpp"
 #include "bem_contact/profile/profile_kind.hpp"
+#include "bem_contact/profile/profile_reading.hpp"
 
 #include <string>
 #include <string_view>
@@ -9,10 +10,10 @@
 namespace bem_contact {
 
 /// The points of a profile file in any format that is known. `part`: which profile of a MiniProf file, from 1
-/// (0: the only one); `left`: of a Vampire file. `source` names the file in messages. Throws InputError for
-/// what cannot be read.
+/// (0: the only one). `reading`: its `mirror` chooses the left profile of a Vampire file. `source` names the
+/// file in messages. Throws InputError for what cannot be read.
 MeasuredPoints points_of(std::string_view text, const std::string& source, ProfileKind kind, int part,
-                         bool left);
+                         const ProfileReading& reading);
 
 /// Says whether the text is a MiniProf file: "Key=Value" lines (.ban, .whl), sections [Profile1Info],
 /// [Profile1Points] (.mpt), or the older variant that begins with "#MINIWHEELPROF" and ends its header with
@@ -35,12 +36,14 @@ MeasuredPoints simpack_points(std::string_view text, const std::string& source, 
 
 /// Says whether the text is a Vampire profile (.whe, .rai): its first line is WHEELPROFILE or RAILPROFILE.
 bool is_vampire(std::string_view text);
-/// The points of the right-hand profile, or of the left-hand one as seen from the other end of the vehicle.
+/// The points of the right-hand profile, or with `mirror` of the left-hand one as seen from the other end.
 /// The file has four columns: y and z on the left, y and z on the right, y from the track's centre. Wheel: y
-/// = 0 is put at the tape circle, 70 mm outside the back of the flange (FLANGEBACK is the distance of both
-/// backs); the shape decides where z points. Rail: y = 0 is put at the middle of its width, and z points up.
+/// = 0 is put at the tape circle, tape_circle outside the back of the flange (FLANGEBACK is the distance of
+/// both backs); the shape decides where z points. Rail: y = 0 is put at the middle of its width, and z points
+/// up.
 ///
 /// Throws InputError for a file of the other kind, a wheel without FLANGEBACK, and a line that is no point.
-MeasuredPoints vampire_points(std::string_view text, const std::string& source, ProfileKind kind, bool left);
+MeasuredPoints vampire_points(std::string_view text, const std::string& source, ProfileKind kind,
+                              const ProfileReading& reading);
 
 } // namespace bem_contact

@@ -2,7 +2,6 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/formats/text_lines.hpp"
-#include "bem_contact/profile/wheel_datum.hpp"
 
 #include <fmt/format.h>
 
@@ -37,7 +36,9 @@ bool is_vampire(std::string_view text) {
   return kind_of(text).has_value();
 }
 
-MeasuredPoints vampire_points(std::string_view text, const std::string& source, ProfileKind kind, bool left) {
+MeasuredPoints vampire_points(std::string_view text, const std::string& source, ProfileKind kind,
+                              const ProfileReading& reading) {
+  const bool left = reading.mirror;
   if (kind_of(text) != kind)
     throw InputError(fmt::format("{} is no profile of a {}", source, name_of(kind)),
                      "its first line says the other", "Name the other file.");
@@ -72,7 +73,7 @@ MeasuredPoints vampire_points(std::string_view text, const std::string& source, 
     if (!back_to_back)
       throw InputError(fmt::format("{} has no FLANGEBACK", source), "it says where the wheel's y = 0 is",
                        "Add the distance between the flange backs, in mm.");
-    zero = *back_to_back / 2 + flange_back_to_tape_circle;
+    zero = *back_to_back / 2 + reading.tape_circle;
   } else {
     const auto [low, high] = std::ranges::minmax(out.points, {}, &Point2::y);
     zero = (low.y + high.y) / 2;

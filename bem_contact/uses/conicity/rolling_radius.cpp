@@ -4,7 +4,6 @@
 #include "bem_contact/base/stopped.hpp"
 #include "bem_contact/geometry/contact_search.hpp"
 #include "bem_contact/geometry/level_roll.hpp"
-#include "bem_contact/profile/wheel_datum.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,6 +37,7 @@ Lowered lowered(const WheelsetOnTrack& wheelset, WheelSide side, double lateral,
                                   .gauge = p.gauge,
                                   .gauge_height = p.gauge_height,
                                   .back_to_back = p.back_to_back,
+                                  .tape_circle = p.tape_circle,
                                   .rail_inclination = p.rail_inclination,
                                   .roll = roll,
                                   .wheel_radius = p.wheel_radius,
@@ -106,7 +106,7 @@ std::vector<WheelsetStand> one_side(const WheelsetOnTrack& wheelset, const Wheel
 
 double WheelsetOnTrack::contact_distance() const {
   return position.wheel_origin ? 2 * position.wheel_origin->y
-                               : position.back_to_back + 2 * flange_back_to_tape_circle;
+                               : position.back_to_back + 2 * position.tape_circle;
 }
 
 WheelsetStand stand(const WheelsetOnTrack& wheelset, double lateral) {
