@@ -10,6 +10,7 @@
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/report/report_page.hpp"
+#include "bem_contact/sequence/conformity_record.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/result_file.hpp"
 #include "bem_contact/sequence/result_record.hpp"
@@ -197,6 +198,15 @@ void add_parts(ResultClass& c) {
       "[x][s][depth] (MPa, tension positive); else None");
   c.def_readonly("approach_datum", &SceneResult::approach_datum,
                  "Of which points of the bodies the approach is the relative displacement");
+  c.def_property_readonly(
+      "conformity", [](const SceneResult& r) { return as_object(conformity_of(r.conformity)); },
+      "How closely the rigid bodies fit where they touch first: dict of largest_distance, width, ratio, fit "
+      "...; "
+      "None of a patch");
+  c.def_readonly(
+      "track", &SceneResult::track,
+      "Where wheel and rail stand: network, gauge, flange backs, tape circle, inclination; \"\" of a "
+      "patch");
   c.def_property_readonly(
       "structure", [](const SceneResult& r) { return as_object(structure_of(r.structure)); },
       "Structural motion, dict of rail, wheel (force, motion, 6 x 6 compliance and "

@@ -133,6 +133,12 @@ const sceneInWords = () => {
     for (const {name, group} of report.kind === "result" ? [contact] : [])
       out.push(`The model is ${name} (${titleOf(name).toLowerCase()}): ${group.attributes.why_this_model}. The grid has ${q("mx")} × ` +
                `${q("ms")} elements of ${q("dx")} × ${q("ds")} mm.`);
+    const {conformity, attributes} = contact.group, placed = report.kind === "result";
+    if (placed && attributes.track)
+      out.push(`${attributes.track[0].toUpperCase()}${attributes.track.slice(1)}.`);
+    if (placed && conformity)
+      out.push(`Where the rigid bodies touch first they are ${conformity.attributes.fit}: at most ${number(valueOf(conformity, "largest_distance"))} mm ` +
+               `apart between there and the gauge point, and less than 0.1 mm over ${number(valueOf(conformity, "width"))} mm.`);
   }
   if (swept.length)
     out.push(`${data.status.values.length} cases: ${swept.map(words).join(", ")} ${swept.length > 1 ? "vary" : "varies"}. ` +

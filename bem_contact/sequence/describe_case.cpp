@@ -1,9 +1,12 @@
 #include "bem_contact/sequence/describe_case.hpp"
 
 #include "bem_contact/base/counted.hpp"
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/base/fixed_text.hpp"
 #include "bem_contact/influence/requirements.hpp"
+#include "bem_contact/scene/network.hpp"
 #include "bem_contact/scene/warnings.hpp"
+#include "bem_contact/sequence/conformity_record.hpp"
 #include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/numbers/settings.hpp"
 #include "bem_contact/sequence/plan/model_choice.hpp"
@@ -140,6 +143,27 @@ void add_touch_points(const ContactSetup& setup, const ContactEstimate& estimate
                               fixed_text(degrees(reference.delta), 2), setup.motion.creepage.rolling_radius));
 }
 
+/// Of the rigid bodies at this displacement and at the flange; then the turn of the normal under the load.
+void add_conformity(const ContactCase& asked, std::vector<std::string>& lines) {
+  const WheelOnRail& pair = asked.setup.wheel_rail()->pair;
+  if (pair.roller)
+    return;
+  const WheelsetPosition& position = asked.scene.position;
+  try {
+    lines.push_back(conformity_text(conformity_at(position, pair.rail, pair.wheel), "the first touch"));
+    if (const auto flange = conformity_at_flange(position, pair.rail, pair.wheel))
+      lines.push_back(conformity_text(
+          *flange, fmt::format("the gauge corner (lateral displacement {:.3f} mm)", flange->lateral)));
+  } catch (const InputError&) { // without its yaw the wheel does not touch
+  }
+  if (asked.estimate)
+    for (const PotentialArea& area : potential_areas(*asked.estimate))
+      lines.push_back(fmt::format(
+          "under the load, by the estimate, the normal turns by {:.1f} degrees from s = {:.2f} to {:.2f} mm",
+          degrees(std::abs(pair.rail.at(area.s_to).delta - pair.rail.at(area.s_from).delta)), area.s_from,
+          area.s_to));
+}
+
 std::string load_text(const ContactLoad& load) {
   return load.kind == LoadKind::force ? fmt::format("load: vertical force {:g} N", load.force)
                                       : fmt::format("load: approach {:g} mm", load.approach);
@@ -261,8 +285,12 @@ SceneDescription describe_case(const ContactCase& asked) {
   const ContactProblem& problem = contact.problem;
   std::vector<std::string> lines;
   lines.push_back(fmt::format("kind: {}", name_of(scene.kind)));
+  if (scene.kind == SceneKind::wheel_rail)
+    lines.push_back(track_text(scene));
   if (asked.estimate)
     add_touch_points(asked.setup, *asked.estimate, lines);
+  if (asked.setup.wheel_rail())
+    add_conformity(asked, lines);
   lines.push_back(load_text(asked.setup.load));
   if (scene.load.force_y)
     lines.push_back(lateral_force_text(*scene.load.force_y, scene.position.lateral));

@@ -1,6 +1,7 @@
 #include "bem_contact/sequence/result_record.hpp"
 
 #include "bem_contact/sequence/compared_quantities.hpp"
+#include "bem_contact/sequence/conformity_record.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
 
@@ -222,6 +223,7 @@ void add_words_of(Record& out, const SceneResult& r) {
   out.add("frame", std::string("x rolling direction, y ") + (r.left ? "to the left" : "to the right") +
                        ", z down; s along the rail, n into the rail");
   out.add("approach_datum", r.approach_datum);
+  add_words(out, "track", r.track);
 }
 
 void add_found_lateral(Record& out, const SceneResult& r) {
@@ -257,6 +259,7 @@ Record record_of(const SceneResult& r, const RecordParts& parts) {
     out.add("quantities", record::numbers_of(std::array{quantity("dx"), quantity("ds")}, is_shift(r), r));
   out.add("patches", patches_of(r)).add("history", history_of(r));
   add_found_lateral(out, r);
+  out.add("conformity", conformity_of(r.conformity));
   out.add("structure", structure_of(r.structure));
   out.add("stresses", stresses_of(r.stresses));
   if (parts.quantities)

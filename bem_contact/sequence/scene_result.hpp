@@ -3,6 +3,7 @@
 #include "bem_contact/base/material.hpp"
 #include "bem_contact/contact/history.hpp"
 #include "bem_contact/contact/layer.hpp"
+#include "bem_contact/geometry/conformity.hpp"
 #include "bem_contact/geometry/rigid_slip.hpp"
 #include "bem_contact/scene/choices.hpp"
 #include "bem_contact/sequence/patch_place.hpp"
@@ -105,6 +106,8 @@ struct SceneResult {
   /// Says in words: the approach is the relative displacement of these points of the two bodies. Approaches
   /// with different datums must not be compared.
   std::string approach_datum;
+  std::string track;                         ///< where wheel and rail stand (track_text()); "" of a patch
+  std::optional<Conformity> conformity;      ///< wheel_rail: of the rigid bodies at this displacement
   std::optional<StructuralResult> structure; ///< fem with structural compliance of at least one body
   std::vector<std::string> warnings;         ///< what to know before the numbers are used
   PhaseSeconds seconds;                      ///< what the call took

@@ -162,7 +162,8 @@ std::string to_text(const Comparison& c) {
   const bool one_set = c.at_forces.empty() || c.at_position.empty();
   const SceneResult& shown = c.leading()[c.reference];
   const ContactGrid& grid = shown.problem.grid;
-  std::string out = reference_text(shown);
+  std::string out = shown.track.empty() ? "" : shown.track + "\n";
+  out += reference_text(shown);
   out += fmt::format(
       "elements of {:g} x {:g} mm; differences: {} less the other, in %: of Fx over the sum of mu "
       "p_n dS, of Fy and Fz over their resultant, of Mz over that sum times sqrt(area / pi), "

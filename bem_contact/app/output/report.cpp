@@ -3,6 +3,7 @@
 #include "bem_contact/app/output/asked_output.hpp"
 #include "bem_contact/base/fixed_text.hpp"
 #include "bem_contact/record/error_text.hpp"
+#include "bem_contact/sequence/conformity_record.hpp"
 #include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
@@ -180,7 +181,8 @@ std::string reference_text(const SceneResult& r) {
 std::string to_text(const SceneResult& r) {
   const ContactResult& c = r.result;
   const double force = std::max({std::abs(c.Fx), std::abs(c.Fy), std::abs(c.Fz)});
-  std::string out = fmt::format("model: {} ({})\n", name_of(r.model), reason_text(r));
+  std::string out = r.track.empty() ? "" : r.track + "\n";
+  out += fmt::format("model: {} ({})\n", name_of(r.model), reason_text(r));
   out += reference_text(r);
   out += r.result.patches.empty() ? "no contact: all forces are zero\n" : patches_text(r, force);
   out += totals_text(r, force);
@@ -190,6 +192,8 @@ std::string to_text(const SceneResult& r) {
     out += fmt::format("no errors (+-) are stated: {}\n", why);
   if (!r.history.empty())
     out += r.history.size() == 1 ? "one step\n" : fmt::format("the last of {} steps\n", r.history.size());
+  if (r.conformity)
+    out += conformity_text(*r.conformity, "the first touch") + "\n";
   out += fmt::format("approach relative to {}\n", r.approach_datum);
   out += structure_text(r.structure);
   out += stresses_text(r.stresses);

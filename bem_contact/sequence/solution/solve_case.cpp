@@ -1,9 +1,11 @@
 #include "bem_contact/sequence/solution/solve_case.hpp"
 
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/scene/contact_centre.hpp"
 #include "bem_contact/scene/elastic_limit.hpp"
+#include "bem_contact/scene/network.hpp"
 #include "bem_contact/scene/outlines.hpp"
 #include "bem_contact/scene/warnings.hpp"
 #include "bem_contact/sequence/models.hpp"
@@ -84,6 +86,24 @@ double contact_radius(const WheelOnRail& pair, const ContactProblem& problem, co
   return pressed > 0 ? radius_at(pair, x / pressed, (1 / pressed) * point) : 0;
 }
 
+/// Of the rigid bodies; nothing where a wheel without its yaw does not touch.
+std::optional<Conformity> conformity_of_case(const ContactCase& asked) {
+  const WheelRailGeometry& placed = *asked.setup.wheel_rail();
+  const WheelsetPosition& position = asked.scene.position;
+  if (placed.pair.roller)
+    return std::nullopt;
+  if (placed.pair.yaw == 0 && placed.pair.deviation.yaw == 0 && !placed.structure) { // it stands there
+    Conformity out = conformity(placed.pair, placed.touch.front(), position.gauge_height);
+    out.lateral = position.lateral;
+    return out;
+  }
+  try {
+    return conformity_at(position, placed.pair.rail, placed.pair.wheel);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
 /// The creepages that the last step had.
 void add_creepages(const ContactSetup& setup, SceneResult& out) {
   const Motion& motion = setup.motion;
@@ -103,6 +123,7 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   require_elastic(asked.setup, highest_pressure(solved));
   SceneResult out;
   out.approach_datum = approach_datum(asked, solved.model);
+  out.track = track_text(asked.scene);
   warn_of_slide(asked, solved);
   out.patch_places = patch_places(asked.setup, solved.contact, solved.result);
   out.model = solved.model;
@@ -121,6 +142,7 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   out.reference = asked.setup.reference();
   if (const WheelRailGeometry* placed = asked.setup.wheel_rail()) {
     out.lateral = asked.scene.position.lateral;
+    out.conformity = conformity_of_case(asked);
     out.rolling_radius = asked.setup.motion.creepage.rolling_radius;
     out.contact_radius = contact_radius(placed->pair, out.problem, out.result);
     out.rail_geometry = placed->pair.rail.digest();
