@@ -9,6 +9,8 @@
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/json.hpp"
+#include "bem_contact/scene/network.hpp"
+#include "bem_contact/sequence/conformity_record.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/uses/conicity/wheelset_conicity.hpp"
 
@@ -78,9 +80,10 @@ bool is_whole(double millimetres) {
   return std::abs(millimetres - std::round(millimetres)) < 1e-9;
 }
 
-std::string head(const WheelsetConicity& c, const WheelsetOnTrack& w) {
-  std::string out = fmt::format("Wheelset: right {} on {}, left {} on {}\n", w.right_wheel.name(),
-                                w.right_rail.name(), w.left_wheel.name(), w.left_rail.name());
+std::string head(const WheelsetConicity& c, const WheelsetOnTrack& w, const SceneFile& scene) {
+  std::string out = track_text(scene) + "\n";
+  out += fmt::format("Wheelset: right {} on {}, left {} on {}\n", w.right_wheel.name(), w.right_rail.name(),
+                     w.left_wheel.name(), w.left_rail.name());
   out +=
       fmt::format("  wheel radius {:g} mm, contact circles {:g} mm apart, rails inclined by {:g} rad{}; {}\n",
                   c.lengths.wheel_radius, c.lengths.contact_distance, w.position.rail_inclination,
@@ -91,9 +94,27 @@ std::string head(const WheelsetConicity& c, const WheelsetOnTrack& w) {
   return out;
 }
 
+/// What follows from both tables, a line each.
+std::string rated_text(const WheelsetConicity& c) {
+  const std::string play = std::isnan(c.play) ? "" : fmt::format(" (the play is {:.2f} mm)", c.play);
+  std::string out =
+      std::isnan(c.nonlinearity)
+          ? fmt::format("nonlinearity: none, for there is no motion of both {:g} and {:g} mm{}\n",
+                        c.rated_amplitude - 1, c.rated_amplitude + 1, play)
+          : fmt::format("nonlinearity {:+.4f} /mm: of tan gamma from an amplitude of {:g} to {:g} mm{}\n",
+                        c.nonlinearity, c.rated_amplitude - 1, c.rated_amplitude + 1, play);
+  for (const Conformity& fit : c.conformity)
+    out += conformity_text(
+               fit, &fit == &c.conformity.front()
+                        ? "the middle"
+                        : fmt::format("the gauge corner (lateral displacement {:.3f} mm)", fit.lateral)) +
+           "\n";
+  return out;
+}
+
 /// Tables for people: the contact at whole millimetres of displacement, and the conicity by amplitude.
-std::string conicity_text(const WheelsetConicity& c, const WheelsetOnTrack& w) {
-  std::string out = head(c, w);
+std::string conicity_text(const WheelsetConicity& c, const WheelsetOnTrack& w, const SceneFile& scene) {
+  std::string out = head(c, w, scene);
   out += "Rolling radius difference and contact points, mm (y to the field side of each body)\n";
   out += "    lateral  difference   radius right   wheel y    rail y    radius left   wheel y    rail y\n";
   for (const WheelsetStand& s : c.stands)
@@ -107,7 +128,7 @@ std::string conicity_text(const WheelsetConicity& c, const WheelsetOnTrack& w) {
                ? fmt::format("  {:12g} {:10.4f} {:13.3f} {:9.3f} {:9.3f}\n", v.amplitude, v.motion->tan_gamma,
                              1e-3 * v.motion->wavelength, v.motion->from, v.motion->to)
                : fmt::format("  {:12g} {:>10} {:>13}\n", v.amplitude, "none", "none");
-  return out;
+  return out + rated_text(c);
 }
 
 ExitCode run(const ConicityArguments& arguments) {
@@ -134,7 +155,7 @@ ExitCode run(const ConicityArguments& arguments) {
     });
   fmt::print("{}", arguments.json
                        ? record::to_json(headed(conicity_format).append(record_of(conicity, wheelset))) + "\n"
-                       : conicity_text(conicity, wheelset));
+                       : conicity_text(conicity, wheelset, given.scene));
   return success;
 }
 
@@ -170,6 +191,13 @@ void add_keys(CLI::App& line, const std::shared_ptr<ConicityArguments>& argument
   number("--rail-inclination,--cant", "position.rail_inclination",
          "Inclination of the rails towards the track's centre, rad (1:40 is 0.025)");
   number("--back-to-back", "position.back_to_back", "Distance of the flange backs, mm");
+  number("--tape-circle", "position.tape_circle", "Distance of the tape circle from the flange back, mm");
+  line.add_option_function<std::string>(
+      "--network",
+      [=](const std::string& name) {
+        arguments->changes.push_back({"track.network", name});
+      },
+      "Whose gauge, flange backs and inclination are the defaults: UIC, GB, China, AREMA");
   number("--wheel-radius", "position.wheel_radius", "At the tape circle, mm");
 }
 

@@ -6,6 +6,7 @@
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/scene/warnings.hpp"
 #include "bem_contact/scene/wheel_rail_geometry.hpp"
+#include "bem_contact/sequence/conformity_record.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +65,59 @@ void warn_of_negative_cone(std::span<const RadiusDifference> function) {
                      *middle, tan_gamma, middle_reach);
 }
 
+/// mm. The active faces of a wheelset are so far below its tape circles (EN 15302, EN 15313).
+constexpr double active_face_depth = 10.0;
+/// mm. Half of the difference of the two amplitudes between which the nonlinearity is taken (4 and 2 mm).
+constexpr double rated_step = 1.0;
+
+/// y of a wheel's active face, in its own frame; nothing of a wheel without a flange.
+std::optional<double> active_face(const TabulatedProfile& wheel) {
+  const auto nodes = wheel.nodes();
+  const double tread = wheel.nearest({0, 0}).position.z;
+  for (std::size_t k = 1; k < nodes.size(); ++k) { // walked from the field side to the flange
+    const Point2 a = nodes[k - 1].position, b = nodes[k].position;
+    if (b.y < 0 && a.z < tread + active_face_depth && b.z >= tread + active_face_depth)
+      return a.y + (b.y - a.y) * (tread + active_face_depth - a.z) / (b.z - a.z);
+  }
+  return std::nullopt;
+}
+
+double play_of(const WheelsetOnTrack& w) {
+  const auto right = active_face(w.right_wheel), left = active_face(w.left_wheel);
+  if (!right || !left || w.position.wheel_origin || w.position.rail_origin)
+    return std::numeric_limits<double>::quiet_NaN();
+  return w.position.gauge - (w.contact_distance() + *right + *left); // both are on the -y side
+}
+
+double rated_amplitude(double play) {
+  return play < 5 ? 2 : play < 7 ? (play - 1) / 2 : 3; // 3 for nan too
+}
+
+/// Largest less smallest y of the right contact during a motion.
+double travel(const std::vector<WheelsetStand>& stands, const std::optional<EquivalentConicity>& motion,
+              Point2 WheelTouch::*point) {
+  if (!motion)
+    return std::numeric_limits<double>::quiet_NaN();
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const WheelsetStand& s : stands)
+    if (s.lateral >= motion->from - 1e-9 && s.lateral <= motion->to + 1e-9) {
+      low = std::min(low, (s.right.*point).y);
+      high = std::max(high, (s.right.*point).y);
+    }
+  return std::max(high - low, 0.0);
+}
+
+std::vector<Conformity> conformity_of(const WheelsetOnTrack& w) {
+  WheelsetPosition position = w.position;
+  position.side = WheelSide::right;
+  position.lateral = position.roll = position.rail_lateral = position.rail_vertical = position.rail_roll = 0;
+  position.deviation = {};
+  std::vector<Conformity> out{conformity_at(position, w.right_rail, w.right_wheel)};
+  if (const auto flange = conformity_at_flange(position, w.right_rail, w.right_wheel))
+    out.push_back(*flange);
+  return out;
+}
+
 } // namespace
 
 WheelsetOnTrack wheelset_of(const SceneFile& scene, const LeftProfiles& left) {
@@ -114,7 +168,8 @@ WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplit
         "Give both in mm, as 10 and 1.");
   WheelsetConicity out{.lengths = {wheelset.contact_distance(), wheelset.position.wheel_radius},
                        .stands = rolling_radius_difference(wheelset, largest + beyond_amplitude, stop),
-                       .values = {}};
+                       .values = {},
+                       .conformity = {}};
   std::vector<RadiusDifference> function;
   for (const WheelsetStand& s : out.stands)
     function.push_back({s.lateral, s.difference()});
@@ -122,8 +177,18 @@ WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplit
   const int count = static_cast<int>(largest / step + 1e-9);
   for (int k = 1; k <= count; ++k) {
     end_if_stopped(stop);
-    out.values.push_back({k * step, equivalent_conicity(function, k * step, out.lengths)});
+    const auto motion = equivalent_conicity(function, k * step, out.lengths);
+    out.values.push_back({k * step, motion, travel(out.stands, motion, &WheelTouch::rail),
+                          travel(out.stands, motion, &WheelTouch::wheel)});
   }
+  out.play = play_of(wheelset);
+  out.rated_amplitude = rated_amplitude(out.play);
+  const auto rated = [&](double more) {
+    const auto motion = equivalent_conicity(function, out.rated_amplitude + more, out.lengths);
+    return motion ? motion->tan_gamma : std::numeric_limits<double>::quiet_NaN();
+  };
+  out.nonlinearity = (rated(rated_step) - rated(-rated_step)) / (2 * rated_step);
+  out.conformity = conformity_of(wheelset);
   return out;
 }
 
@@ -134,6 +199,8 @@ std::span<const ColumnOf<WheelsetStand>> stand_columns() {
        [](const S& s) { return s.lateral; }},
       {"difference", "mm", "rolling radius difference, right less left",
        [](const S& s) { return s.difference(); }},
+      {"tan_difference", "1", "tangent of the contact angle, right less left",
+       [](const S& s) { return std::tan(s.left.delta) - std::tan(s.right.delta); }},
       {"roll", "rad", "roll of the wheelset, right side down", [](const S& s) { return s.roll; }},
       {"right_radius", "mm", "rolling radius of the right wheel", [](const S& s) { return s.right.radius; }},
       {"right_wheel_y", "mm", "contact on the right wheel, from the tape circle to the field side",
@@ -163,7 +230,11 @@ std::span<const ColumnOf<WheelsetConicity::Value>> conicity_columns() {
       {"wavelength", "mm", "wavelength of the free lateral motion",
        of_motion<&EquivalentConicity::wavelength>},
       {"from", "mm", "its leftmost displacement", of_motion<&EquivalentConicity::from>},
-      {"to", "mm", "its rightmost displacement", of_motion<&EquivalentConicity::to>}};
+      {"to", "mm", "its rightmost displacement", of_motion<&EquivalentConicity::to>},
+      {"rail_travel", "mm", "width over which the right contact travels on the rail during it",
+       [](const WheelsetConicity::Value& v) { return v.rail_travel; }},
+      {"wheel_travel", "mm", "the same on the wheel",
+       [](const WheelsetConicity::Value& v) { return v.wheel_travel; }}};
   return columns;
 }
 
@@ -178,7 +249,13 @@ record::Record record_of(const WheelsetConicity& c, const WheelsetOnTrack& w) {
           {"contact_distance", Number{c.lengths.contact_distance, "mm", "of the contact circles"}},
           {"rolls", w.rolls},
           {"function", record::table_of("lateral displacement", stand_columns(), c.stands)},
-          {"conicity", record::table_of("amplitude", conicity_columns(), c.values)}};
+          {"conicity", record::table_of("amplitude", conicity_columns(), c.values)},
+          {"play", Number{c.play, "mm", "gauge less the distance of the active faces"}},
+          {"rated_amplitude", Number{c.rated_amplitude, "mm", "at which the conicity is rated, by the play"}},
+          {"nonlinearity", Number{c.nonlinearity, "1/mm",
+                                  "slope of tan gamma over the amplitude, from 1 mm below to 1 mm above it"}},
+          {"conformity", record::table_of("place: in the middle, at the gauge corner", conformity_columns(),
+                                          c.conformity)}};
 }
 
 } // namespace bem_contact

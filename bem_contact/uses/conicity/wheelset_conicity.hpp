@@ -1,11 +1,13 @@
 #pragma once
 
+#include "bem_contact/geometry/conformity.hpp"
 #include "bem_contact/record/column.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 #include "bem_contact/uses/conicity/equivalent_conicity.hpp"
 #include "bem_contact/uses/conicity/rolling_radius.hpp"
 
 #include <atomic>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -38,10 +40,25 @@ struct WheelsetConicity {
   struct Value {
     double amplitude = 0;                     ///< mm
     std::optional<EquivalentConicity> motion; ///< with this amplitude
+    /// How far the contact travels during it, mm: largest less smallest y of the contact of the right side;
+    /// nan where there is no motion.
+    double rail_travel = std::numeric_limits<double>::quiet_NaN();
+    double wheel_travel = std::numeric_limits<double>::quiet_NaN(); ///< as rail_travel
   };
   KlingelLengths lengths;            ///< of the wheelset
   std::vector<WheelsetStand> stands; ///< in rising order of lateral displacement
   std::vector<Value> values;         ///< in rising order of the amplitude
+  /// Play of the wheelset on the track, mm: gauge less the distance of the active faces, 10 mm below the tape
+  /// circles. nan where a wheel has no such face or the bodies are not placed by gauge and flange.
+  double play = std::numeric_limits<double>::quiet_NaN();
+  /// The amplitude at which the conicity is rated, mm (Regulation (EU) 1302/2014, 4.2.3.4.3): 3 from a play
+  /// of 7 mm on, 2 below 5 mm, (play - 1) / 2 in between; 3 where the play is not known.
+  double rated_amplitude = 3;
+  /// (tan gamma at rated_amplitude + 1 mm - that at rated_amplitude - 1 mm) / 2 mm, 1/mm (Polach, Proc. IAVSD
+  /// 2009, and Polach and Nicklisch, Wear 366 (2016) 200). nan where one of them has no motion.
+  double nonlinearity = std::numeric_limits<double>::quiet_NaN();
+  /// Of the right wheel on its rail: upright in the middle, and with the flange root at the gauge corner.
+  std::vector<Conformity> conformity;
 };
 
 /// A wheelset that nothing holds in the middle, because the cone is negative there, gives a warning.
