@@ -169,6 +169,23 @@ ProfileCurve standard_profile(std::string_view name) {
   return mirrored_profile(entry.name, right);
 }
 
+std::string standard_body_file(std::string_view name) {
+  const ProfileCurve curve = standard_profile(name);
+  const StandardEntry& entry = *find_standard(name);
+  if (entry.kind == ProfileKind::rail && entry.part != StandardEntry::Part::section)
+    throw InputError(
+        fmt::format("There is no body of {}", entry.name),
+        "the tables have its head alone, and influence functions need web and foot",
+        "Write its points into a file (bem_contact profile --csv) and graft them onto another rail: "
+        "data/bodies/README.md.");
+  const std::string body =
+      fmt::format("[body]\nkind = \"{}\"\nprofile = \"{}\"\n", name_of(entry.kind), standard_name(name));
+  const BodyFile::Strip usual = parse_body_file(body, entry.name).strip;
+  return fmt::format("{}\n[strip]\nfrom = {:g} # mm, arc length\nto = {:g}\nstation_width = {:g}\n", body,
+                     std::max(usual.from, std::ceil(curve.s_begin())),
+                     std::min(usual.to, std::floor(curve.s_end())), usual.station_width);
+}
+
 ProfileKind kind_of_standard(std::string_view name) {
   const StandardEntry* entry = find_standard(name);
   return entry == nullptr ? ProfileKind::rail : entry->kind;

@@ -35,6 +35,11 @@ std::string advice_on_name(std::string_view name, std::optional<ProfileKind> kin
 /// All names of data/standards, a line each, with standard, other names and remark.
 std::string standards_text();
 
+/// The body file of a standard rail or wheel: its own section, or the representative rim, web and hub that
+/// all wheels have, and the usual strip as far as the profile reaches. Throws InputError for an unknown name,
+/// and for a rail of which the tables have the head alone.
+std::string standard_body_file(std::string_view name);
+
 /// The contact curve of a body, in its section's frame.
 ///   rail, wheel: the profile named (a standard or a file)
 ///   disc:  the lower half of a circle about the origin, walked as an upper body: s = 0 at (0, radius)

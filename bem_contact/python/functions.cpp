@@ -66,12 +66,17 @@ py::dict compare(const py::object& scene, const py::object& models, const py::ob
   return out;
 }
 
+/// The name of a profile, or a path (as that of a Profile).
+std::string profile_named(const py::object& given, const char* what) {
+  return py::hasattr(given, "__fspath__") ? path_of(given) : text_of(given, what);
+}
+
 py::dict conicity(const py::object& scene, const py::object& changes, const py::object& left_wheel,
                   const py::object& left_rail, bool roll, double to, double step, const py::object& folder) {
   const std::vector<SceneChange> list = changes_of(changes);
   const SceneFile file = scene.is_none() ? scene_without_file(list) : scene_file_of(scene, folder, list);
-  WheelsetOnTrack wheelset = wheelset_of(
-      file, {.rail = text_of(left_rail, "left_rail"), .wheel = text_of(left_wheel, "left_wheel")});
+  WheelsetOnTrack wheelset = wheelset_of(file, {.rail = profile_named(left_rail, "left_rail"),
+                                                .wheel = profile_named(left_wheel, "left_wheel")});
   wheelset.rolls = roll;
   const WheelsetConicity found = stoppable([=](const std::atomic<bool>* stop) {
     return wheelset_conicity(wheelset, {.largest = to, .step = step}, stop);

@@ -1,5 +1,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/profile/standards/standard_tables.hpp"
 #include "bem_contact/profile/worn/like_standard.hpp"
 #include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/values.hpp"
@@ -96,9 +97,27 @@ py::dict profile(const py::object& file, const py::object& of_kind, const py::ob
   return out;
 }
 
+py::list standards() {
+  py::list out;
+  for (const StandardEntry& entry : standard_entries()) {
+    py::list others;
+    for (const std::string& name : entry.other_names)
+      others.append(name);
+    out.append(py::dict("name"_a = entry.name, "kind"_a = std::string(name_of(entry.kind)),
+                        "part"_a = std::string(name_of(entry.part)), "standard"_a = entry.standard,
+                        "other_names"_a = others, "remark"_a = entry.remark));
+  }
+  return out;
+}
+
 } // namespace
 
 void add_profile(py::module_& module) {
+  module.def(
+      "standards", &standards,
+      "All profiles of standards that are built in, as `bem_contact profile --list` prints them: a list of "
+      "dicts with `name`, `kind` (rail or wheel), `part` (section: a whole rail; head: of a rail; curve: "
+      "the whole contact curve), `standard` and its edition, `other_names` (a list) and `remark`.");
   module.def(
       "profile", &profile, "file"_a, "kind"_a = "", "reading"_a = py::none(), py::kw_only(), "step"_a = 0.1,
       "What a profile file says, as `bem_contact profile` prints it; also of a standard (\"60E1\") or a body "

@@ -10,6 +10,7 @@
 #include "bem_contact/profile/worn/like_standard.hpp"
 #include "bem_contact/report/report_page.hpp"
 #include "bem_contact/scene/scene_file.hpp"
+#include "bem_contact/sequence/conformity_record.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -43,7 +44,7 @@ You should see 307 points, 0.5 mm apart. Their noise of 0.05 um needs no smoothi
 More, and how to draw it: data/tutorial/profile.md.)";
 
 struct ProfileArguments {
-  std::string name, kind, unit = "found", profile_z = "as stated", csv, plot, on;
+  std::string name, kind, unit = "found", profile_z = "as stated", csv, plot, on, body, against;
   ProfileReading reading;
   double step = profile_csv_step;
   bool list = false;
@@ -201,6 +202,23 @@ ExitCode run_on(const ProfileArguments& arguments) {
   return success;
 }
 
+/// How the profile fits its counterpart, on a track with the defaults of [position].
+std::string fit_text(const ProfileArguments& arguments, const MeasuredProfile& profile, ProfileKind kind) {
+  const bool wheel = kind == ProfileKind::wheel;
+  const TabulatedProfile own = profile.curve,
+                         other =
+                             named_profile(arguments.against, wheel ? ProfileKind::rail : ProfileKind::wheel);
+  const TabulatedProfile &rail = wheel ? other : own, &running = wheel ? own : other;
+  std::string out = fmt::format(
+      "  on a track with gauge 1435 mm and flange backs 1360 mm apart, the rail as it is:\n  {}\n",
+      conformity_text(conformity_at({}, rail, running), "the middle"));
+  if (const auto flange = conformity_at_flange({}, rail, running))
+    out += fmt::format(
+        "  {}\n", conformity_text(*flange, fmt::format("the gauge corner (lateral displacement {:.3f} mm)",
+                                                       flange->lateral)));
+  return out;
+}
+
 ExitCode run(ProfileArguments arguments) {
   if (arguments.list) {
     if (!arguments.name.empty()) // for scripts: which standard is it?
@@ -212,6 +230,11 @@ ExitCode run(ProfileArguments arguments) {
   if (arguments.name.empty())
     throw InputError("No profile is named", "`bem_contact profile` describes one",
                      "Name a file or a standard, or give --list for the names of all standards.");
+  if (!arguments.body.empty()) {
+    write_whole(arguments.body,
+                [text = standard_body_file(arguments.name)](std::ostream& out) { out << text; });
+    return success;
+  }
   arguments.reading.unit = choice<ProfileUnit>(arguments.unit);
   arguments.reading.profile_z = choice<ProfileZ>(arguments.profile_z);
   const std::string& file = arguments.on.empty() ? arguments.name : arguments.on;
@@ -230,7 +253,7 @@ ExitCode run(ProfileArguments arguments) {
   if (!arguments.plot.empty())
     report::write_profile_page(std::filesystem::path(arguments.name).filename(), words,
                                drawn_profiles(arguments, profile, like, kind), arguments.plot);
-  fmt::print("{}", words);
+  fmt::print("{}{}", words, arguments.against.empty() ? "" : fit_text(arguments, profile, kind));
   return success;
 }
 
@@ -244,6 +267,12 @@ Command add_profile(CLI::App& program) {
   line->add_flag(
       "--list", arguments->list,
       "Print the names of all standards that are built in, a line each; with a name: which one it is");
+  add_output_option(*line, "--body", arguments->body,
+                    "Of a standard: write the body file (TOML) of its influence functions, and nothing else");
+  line->add_option(
+      "--against", arguments->against,
+      "The other profile of a pair: say how closely they fit, in the middle of the track and with the "
+      "flange root at the gauge corner (another track: bem_contact check SCENE)");
   line->add_option("--kind", arguments->kind,
                    "rail or wheel; needed where neither the file nor its ending says it")
       ->check(CLI::IsMember({"rail", "wheel"}));

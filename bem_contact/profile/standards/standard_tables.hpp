@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/base/enum_names.hpp"
 #include "bem_contact/profile/curve_piece.hpp"
 #include "bem_contact/profile/profile_kind.hpp"
 
@@ -24,6 +25,10 @@ struct StandardEntry {
   std::string standard;                 ///< and its edition
   std::vector<std::string> other_names; ///< as people say them
   std::string remark;
+};
+
+template <> struct EnumNames<StandardEntry::Part> {
+  static constexpr std::array<std::string_view, 3> names{"section", "head", "curve"};
 };
 
 /// All rows, in their order.

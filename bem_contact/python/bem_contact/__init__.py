@@ -14,21 +14,24 @@ Each command of the program has a function here, or is called as a command:
     solve         solve(), or Sequence for many cases     wheelset      wheelset()
     compare       compare()                               creep-curves  creep_curves()
     check         check()                                 table         table(), read_table()
-    profile       profile()                               wear          wear()
+    profile       profile(), standards()                  wear          wear()
     sweep         sweep()                                 fatigue       fatigue(), of a Result
     conicity      conicity()                              report        report()
     plot          plot()
 
     info, influence, options such as --csv    python3 -m bem_contact info FILE.h5, from a shell
 
+A profile of your own may be arrays: Profile(y, z, kind) goes wherever a profile file goes.
+
 `help(bem_contact.solve)` and `help(bem_contact.Result)` say what goes in and what comes out; each function has such a text.
 """
 
 from .cases import Sweep
 from .plotting import plot
+from .profiles import Profile
 
 try:
-    from ._core import ConvergenceError, Error, InputError, Result, Sequence, Table, __commit__, __version__, check, compare, conicity, creep_curves, fatigue, profile, read_table, report, solve, sweep, table, wear, wheelset
+    from ._core import ConvergenceError, Error, InputError, Result, Sequence, Table, __commit__, __version__, check, compare, conicity, creep_curves, fatigue, profile, read_table, report, solve, standards, sweep, table, wear, wheelset
 except ModuleNotFoundError as missing:
     if missing.name != f"{__name__}._core":
         raise
@@ -42,5 +45,5 @@ except ModuleNotFoundError as missing:
             f"{sys.version_info.minor}) Call cmake --build --preset full --target bem_contact_python, and use "
             "/usr/bin/python3.", name=f"{__name__}._core")
 
-__all__ = ["ConvergenceError", "Error", "InputError", "Result", "Sequence", "Sweep", "Table", "__commit__", "__version__", "check", "compare", "conicity",
-           "creep_curves", "fatigue", "plot", "profile", "read_table", "report", "solve", "sweep", "table", "wear", "wheelset"]
+__all__ = ["ConvergenceError", "Error", "InputError", "Profile", "Result", "Sequence", "Sweep", "Table", "__commit__", "__version__", "check", "compare", "conicity",
+           "creep_curves", "fatigue", "plot", "profile", "read_table", "report", "solve", "standards", "sweep", "table", "wear", "wheelset"]

@@ -95,6 +95,8 @@ class Result:
     lateral_slope: Final[float | None]
     lateral_error: Final[float | None]
     approach_datum: Final[str]
+    track: Final[str]
+    conformity: Final[dict[str, Any] | None]
     # Elements [ms][mx].
     p_x: Final[_Array]
     p_s: Final[_Array]
@@ -197,6 +199,14 @@ def profile(
 
     `reading`: keys of [rail] or [wheel] of a scene, as {"smoothing": 8}.
     """
+
+class Profile(PathLike[str]):
+    """A profile of your own, for wherever a profile file or a standard's name goes."""
+
+    def __init__(self, y: _List[float] | NDArray[Any], z: _List[float] | NDArray[Any], kind: Literal["rail", "wheel"]) -> None: ...
+
+def standards() -> list[dict[str, Any]]:
+    """All profiles of standards that are built in: "name", "kind", "part", "standard", "other_names", "remark" of each."""
 
 def conicity(
     scene: _Scene | None = None,

@@ -1,0 +1,58 @@
+"""Profiles from arrays."""
+
+import hashlib
+import tempfile
+from os import PathLike, path
+
+_folder = None  # of the files of this process; they are removed when it ends
+
+
+def _file(text, kind):
+    """A file with this text; the same for the same text."""
+    global _folder
+    if _folder is None or not path.isdir(_folder.name):
+        _folder = tempfile.TemporaryDirectory(prefix="bem_contact_profiles_")
+    name = f"profile_{hashlib.sha256(text.encode()).hexdigest()[:12]}{'.whl' if kind == 'wheel' else '.ban'}"
+    file = path.join(_folder.name, name)
+    if not path.exists(file):
+        with open(file, "w", encoding="ascii") as out:
+            out.write(text)
+    return file
+
+
+class Profile(PathLike):
+    """A profile of your own, for wherever a profile file or a standard's name goes.
+
+        rail = bem_contact.Profile(y, z, kind="rail")
+        r = bem_contact.solve("scene.toml", {"rail.profile": rail})
+
+    `y` to the field side and `z` down, mm, point by point, as a profile file has them: a rail with its top at y = 0, a
+    wheel with its tape circle there. It is read as such a file is: with the same repairs, warnings and keys (smoothing,
+    nominal, unit, profile_z, mirror, flange_back). `kind`: "rail" or "wheel".
+
+    `fspath()` is a file that holds the points with all their digits until this process ends. To solve a result file again
+    later, save the points in a file of your own.
+    """
+
+    def __init__(self, y, z, kind):
+        from ._core import InputError
+        if kind not in ("rail", "wheel"):
+            raise InputError(f"There is no kind of profiles {kind!r} (there are rails and wheels) Give kind=\"rail\" or kind=\"wheel\".")
+        try:
+            y, z = ([float(value) for value in values] for values in (y, z))
+        except (TypeError, ValueError) as error:
+            raise InputError(f"The points of this profile cannot be used (y and z are no lists of numbers: {error}) Give two lists or arrays of one "
+                             "dimension, in mm.") from None
+        if len(y) != len(z):
+            raise InputError(f"The points of this profile cannot be used (there are {len(y)} y and {len(z)} z) Give one of each for each point.")
+        self.kind = kind
+        self._path = _file("".join(f"{a!r} {b!r}\n" for a, b in zip(y, z)), kind)
+
+    def __fspath__(self):
+        return self._path
+
+    def __str__(self):
+        return self._path
+
+    def __repr__(self):
+        return f"<Profile of a {self.kind}, {path.basename(self._path)}>"

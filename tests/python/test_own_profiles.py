@@ -1,0 +1,75 @@
+"""bem_contact.Profile and standards: an own profile as arrays, wherever a profile file goes."""
+
+import os
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import bem_contact
+
+SCENE = {"rail": {"profile": "60E1"}, "wheel": {"profile": "S1002"}, "load": {"force": 8e4}, "grid": {"dx": 1.0, "ds": 0.5},
+         "position": {"rail_inclination": 0.025}}
+
+
+def points(standard, step=0.2):
+    p = bem_contact.profile(standard, step=step)
+    return p["y"], p["z"]
+
+
+class OwnProfiles(unittest.TestCase):
+    def test_are_the_same_as_a_file_with_these_points(self):
+        y, z = points("S1002")
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "wheel.txt"
+            file.write_text("".join(f"{float(a)!r} {float(b)!r}\n" for a, b in zip(y, z)))
+            from_file = bem_contact.solve(SCENE, {"wheel.profile": str(file)})
+        own = bem_contact.Profile(y, z, kind="wheel")
+        for result in (bem_contact.solve(SCENE, {"wheel.profile": own}),
+                       bem_contact.solve({**SCENE, "wheel": {"profile": own}}),
+                       bem_contact.Sequence(SCENE).solve({"wheel.profile": own})):
+            self.assertEqual((result.pmax, result.area, result.Fx), (from_file.pmax, from_file.area, from_file.Fx))
+
+    def test_go_wherever_a_file_goes(self):
+        rail = bem_contact.Profile(*points("60E1"), kind="rail")
+        wheel = bem_contact.Profile(list(points("S1002")[0]), list(points("S1002")[1]), "wheel")
+        self.assertEqual(bem_contact.profile(rail)["kind"], "rail")
+        standard = bem_contact.conicity(changes={"wheel.profile": "S1002", "rail.profile": "60E1", "position.rail_inclination": 0.025})
+        own = bem_contact.conicity(changes={"wheel.profile": wheel, "rail.profile": rail, "position.rail_inclination": 0.025},
+                                   left_wheel=wheel, left_rail=rail)
+        np.testing.assert_allclose(own["conicity"]["tan_gamma"], standard["conicity"]["tan_gamma"], rtol=0.02)
+        sweep = bem_contact.sweep({**SCENE, "wheel": {"profile": wheel}, "sweep": {"position.lateral": [0.0, 1.0]}})
+        self.assertEqual(list(sweep["status"]), ["certified"] * 2)
+        self.assertTrue(bem_contact.check({**SCENE, "rail": {"profile": rail}})["lines"])
+
+    def test_the_same_points_are_the_same_file(self):
+        y, z = points("60E1")
+        one, two = bem_contact.Profile(y, z, "rail"), bem_contact.Profile(np.asarray(y), tuple(z), "rail")
+        self.assertEqual(os.fspath(one), os.fspath(two))
+        self.assertNotEqual(os.fspath(one), os.fspath(bem_contact.Profile(y + 1e-9, z, "rail")))
+
+    def test_refuse_what_is_no_profile(self):
+        for arguments, words in ((([0, 1], [0], "rail"), "there are 2 y and 1 z"), (([0], [0], "sleeper"), "no kind of profiles"),
+                                 ((["a"], [0], "rail"), "no lists of numbers"), ((1.0, 2.0, "rail"), "no lists of numbers")):
+            with self.assertRaisesRegex(bem_contact.InputError, words):
+                bem_contact.Profile(*arguments)
+        with self.assertRaisesRegex(bem_contact.InputError, "needs at least 3"):
+            bem_contact.profile(bem_contact.Profile([0, 1], [0, 0], "rail"))
+
+
+class Standards(unittest.TestCase):
+    def test_are_listed_and_can_be_read(self):
+        all_of_them = bem_contact.standards()
+        names = [s["name"] for s in all_of_them]
+        self.assertGreaterEqual(len(names), 48)
+        self.assertEqual(len(set(names)), len(names))
+        rail = all_of_them[names.index("60E1")]
+        self.assertEqual((rail["kind"], rail["part"]), ("rail", "section"))
+        self.assertIn("UIC60", rail["other_names"])
+        for one in all_of_them[::12]:
+            self.assertEqual(bem_contact.profile(one["name"], step=5)["kind"], one["kind"])
+
+
+if __name__ == "__main__":
+    unittest.main()
