@@ -484,7 +484,6 @@ TEST_F(CommandLine, AResultIsNoScene) {
   for (const char* command : {"fatigue", "check", "wheelset", "conicity"})
     refused(run(std::string(command) + " '" + file + "'"),
             {"is no scene", "HDF5 file: a result file", "bem_contact info"});
-  EXPECT_THAT(run("fatigue '" + file + "'").err, HasSubstr("is no scene with a table [sweep]"));
 }
 
 TEST_F(CommandLine, WithoutPythonPlotNamesThePackages) {
