@@ -76,7 +76,7 @@ void change_all(SweepFile& sweep, const SceneChange& change) {
   if (std::ranges::count(sweep.axes, change.key, &SweepFile::Axis::key) > 0)
     throw InputError("The change of " + change.key + " cannot be made",
                      "the sweep gives it a value in each case", "Leave it out, or take it out of [sweep].");
-  sweep.axes.push_back({change.key, std::vector<SchemaValue>(sweep.zip ? sweep.size() : 1, change.value)});
+  sweep.axes.push_back({change.key, {change.value}});
 }
 
 /// The package's class, which is a dict.

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <functional>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -34,8 +36,12 @@ double rounded(double value) {
 
 struct Reader {
   SweepFile& sweep;
-  std::string_view section; ///< "sweep", or "table", which has axes and options of the command
-  int table_line = 0;       ///< of sweep.table
+  std::string_view section; ///< "sweep", "sweep.together", or "table", which has axes and options of
+                            ///< the command
+  int table_line = 0;       ///< of a CSV file of lists
+  std::filesystem::path table_file = {};
+  bool zip = false;
+  std::vector<SweepFile::Axis> together = {}; ///< the lists of sweep.together
 
   [[noreturn]] void refuse(int line, const std::string& problem, const std::string& why,
                            const std::string& what_to_do) const {
@@ -49,19 +55,21 @@ struct Reader {
       const int line = static_cast<int>(name.source().begin.line);
       const toml::table* inner = node.as_table();
       const bool is_sweep = section == "sweep";
-      if (is_sweep && key == "mode")
+      if (is_sweep && key == "together")
+        groups(node, line);
+      else if (is_sweep && key == "mode")
         mode(node, line);
       else if (is_sweep && key == "fields" && node.is_boolean())
         sweep.fields = *node.value<bool>();
       else if (is_sweep && key == "weight")
         weights(node, line);
-      else if (is_sweep && key == "table")
+      else if (section != "table" && key == "table")
         case_table(node, line);
       else if (inner && (inner->contains("from") || inner->contains("to")))
         sweep.axes.push_back({key, range(*inner, key, line), line, true});
       else if (inner)
         this->table(*inner, key);
-      else if (!is_sweep && prefix.empty() && !inner && !node.is_array())
+      else if (section == "table" && prefix.empty() && !inner && !node.is_array())
         continue; // an option of the command table
       else if (const toml::array* list = node.as_array())
         sweep.axes.push_back({key, values(*list, key, line), line});
@@ -74,23 +82,64 @@ struct Reader {
     }
   }
 
-  /// After all else is read.
+  /// Lists side by side: one list of the product.
+  void join(std::vector<SweepFile::Axis>& axes) const {
+    for (std::size_t k = 1; k < axes.size(); ++k) {
+      axes[k].beside = true;
+      if (axes[k].values.size() != axes[0].values.size())
+        refuse(axes[k].line, "the lists cannot be zipped",
+               fmt::format("{} has {} and {} has {}", axes[0].key,
+                           counted(axes[0].values.size(), "value", "values"), axes[k].key,
+                           axes[k].values.size()),
+               section == "sweep" ? "Give lists of equal lengths, or mode = \"product\"."
+                                  : "Give lists of equal lengths.");
+    }
+  }
+
+  void groups(const toml::node& node, int line) {
+    const toml::array* all = node.as_array();
+    if (!all || !std::ranges::all_of(*all, &toml::node::is_table))
+      refuse(line, "sweep.together has no lists", "it is a list of tables, each with lists side by side",
+             "Give [[sweep.together]] and below it rail.profile = [...] and rail.influence = [...].");
+    for (const toml::node& one : *all) {
+      SweepFile group{sweep.text};
+      Reader reader{group, "sweep.together"};
+      reader.table(*one.as_table(), "");
+      reader.finish(false);
+      std::ranges::move(group.axes, std::back_inserter(together));
+      std::ranges::move(group.tables, std::back_inserter(sweep.tables));
+    }
+  }
+
+  /// After all else is read: the cases of a table, and which lists go side by side.
+  void finish(bool mode_given) {
+    std::ranges::stable_sort(sweep.axes, {}, &SweepFile::Axis::line);
+    if (table_line > 0)
+      cases_of_table(mode_given);
+    if (zip || section == "sweep.together")
+      join(sweep.axes);
+  }
+
   void cases_of_table(bool mode_given) {
     if (!sweep.axes.empty() || !sweep.weights.empty() || mode_given)
-      refuse(table_line, "sweep.table is given beside lists, weights or a mode",
+      refuse(table_line, fmt::format("{}.table is given beside lists, weights or a mode", section),
              "its columns are the lists, its lines the cases", "Give either the table or lists.");
-    CaseTable cases = read_case_table(sweep.text.folder / sweep.table);
+    CaseTable cases = read_case_table(table_file);
     for (CaseTable::Column& column : cases.columns)
       sweep.axes.push_back({std::move(column.key), std::move(column.values), table_line});
     sweep.weights = std::move(cases.weights);
-    sweep.zip = true;
+    if (section != "sweep" && !sweep.weights.empty())
+      refuse(table_line, "a table of sweep.together has weights",
+             "weights belong to the load collective, which is swept with every pair of bodies",
+             "Remove the column weight.");
+    zip = true;
   }
 
   void mode(const toml::node& node, int line) {
     const auto mode = node.value<std::string>();
     if (mode != "product" && mode != "zip")
       refuse(line, "sweep.mode cannot be that", "known are product and zip", "Use one of these.");
-    sweep.zip = mode == "zip";
+    zip = mode == "zip";
   }
 
   void weights(const toml::node& node, int line) {
@@ -107,10 +156,12 @@ struct Reader {
   }
 
   void case_table(const toml::node& node, int line) {
-    sweep.table = node.value<std::string>().value_or("");
-    if (sweep.table.empty())
-      refuse(line, "sweep.table names no file", "it is the name of a CSV file with one line a case",
-             "Give table = \"FILE.csv\".");
+    const std::string name = node.value<std::string>().value_or("");
+    if (name.empty())
+      refuse(line, fmt::format("{}.table names no file", section),
+             "it is the name of a CSV file with one line a case", "Give table = \"FILE.csv\".");
+    table_file = sweep.text.folder / name;
+    sweep.tables.push_back({fmt::format("{}.table", section), name, table_file});
     table_line = line;
   }
 
@@ -172,11 +223,9 @@ struct Reader {
 } // namespace
 
 std::size_t SweepFile::size() const {
-  if (zip)
-    return axes.front().values.size();
   std::size_t n = 1;
   for (const Axis& axis : axes)
-    n *= axis.values.size();
+    n *= axis.beside ? 1 : axis.values.size();
   return n;
 }
 
@@ -185,10 +234,11 @@ bool SweepFile::keeps_fields() const {
 }
 
 std::vector<std::size_t> SweepFile::indices(std::size_t index) const {
-  std::vector<std::size_t> out(axes.size(), index);
-  for (std::size_t a = axes.size(); a-- > 0 && !zip;) {
+  std::vector<std::size_t> out(axes.size());
+  for (std::size_t a = axes.size(); a-- > 0;) {
     out[a] = index % axes[a].values.size();
-    index /= axes[a].values.size();
+    if (!axes[a].beside)
+      index /= axes[a].values.size();
   }
   return out;
 }
@@ -220,6 +270,46 @@ bool has_sweep(const SceneText& given) {
   }
 }
 
+namespace {
+
+/// Throws InputError where there is no list, too many cases, a key twice, or another number of weights than
+/// of cases.
+void require_cases(const SweepFile& sweep, const std::vector<SweepFile::Axis>& together,
+                   std::string_view section) {
+  const std::string& source = sweep.text.source;
+  std::vector<const SweepFile::Axis*> all;
+  for (const auto* axes : {&together, &sweep.axes})
+    for (const SweepFile::Axis& axis : *axes)
+      all.push_back(&axis);
+  if (all.empty())
+    throw InputError(
+        fmt::format("'{}' describes no {}", source, section),
+        fmt::format("it has no table [{}] with lists", section),
+        fmt::format("Add one, for instance [{}] with position.lateral = {{ from = 6.2, to = 7.1, "
+                    "step = 0.05 }} below it.",
+                    section));
+  double cases = 1;
+  std::set<std::string_view> keys;
+  for (const SweepFile::Axis* axis : all) {
+    if (!axis->beside)
+      cases *= double(axis->values.size());
+    if (!keys.insert(axis->key).second)
+      throw InputError(fmt::format("{}:{}: {}.{} is given twice", source, axis->line, section, axis->key),
+                       "each key has one list", "Remove one.");
+  }
+  const bool product = cases > double(all.back()->values.size());
+  if (product && cases > double(most_cases))
+    throw InputError(fmt::format("'{}' has {:.3g} cases", source, cases),
+                     fmt::format("at most {} are possible", most_cases), "Sweep over fewer values.");
+  if (!sweep.weights.empty() && sweep.weights.size() != sweep.size())
+    throw InputError(fmt::format("'{}' has {}", source, counted(sweep.weights.size(), "weight", "weights")),
+                     fmt::format("{} has {}", together.empty() ? "it" : "a pair of bodies",
+                                 counted(sweep.size(), "case", "cases")),
+                     "Give one weight for each case.");
+}
+
+} // namespace
+
 SweepFile parse_sweep_file(SceneText given, std::string_view section) {
   SweepFile sweep{std::move(given)};
   const std::string& source = sweep.text.source;
@@ -233,37 +323,12 @@ SweepFile parse_sweep_file(SceneText given, std::string_view section) {
   }
   const toml::table* table = root[section].as_table();
   Reader reader{sweep, section};
-  if (table)
+  if (table) {
     reader.table(*table, "");
-  if (!sweep.table.empty())
-    reader.cases_of_table(table->contains("mode"));
-  if (sweep.axes.empty())
-    throw InputError(
-        fmt::format("'{}' describes no {}", source, section),
-        fmt::format("it has no table [{}] with lists", section),
-        fmt::format("Add one, for instance [{}] with position.lateral = {{ from = 6.2, to = 7.1, "
-                    "step = 0.05 }} below it.",
-                    section));
-  std::ranges::stable_sort(sweep.axes, {}, &SweepFile::Axis::line);
-  double cases = 1;
-  for (const SweepFile::Axis& axis : sweep.axes) {
-    cases *= double(axis.values.size());
-    if (std::ranges::count(sweep.axes, axis.key, &SweepFile::Axis::key) > 1)
-      throw InputError(fmt::format("{}:{}: {}.{} is given twice", source, axis.line, section, axis.key),
-                       "once as a dotted and once as a quoted key", "Remove one.");
-    if (sweep.zip && axis.values.size() != sweep.axes.front().values.size())
-      throw InputError(fmt::format("{}:{}: the lists cannot be zipped", source, axis.line),
-                       fmt::format("{} has {} and {} has {}", sweep.axes.front().key,
-                                   counted(sweep.axes.front().values.size(), "value", "values"), axis.key,
-                                   axis.values.size()),
-                       "Give lists of equal lengths, or mode = \"product\".");
+    reader.finish(table->contains("mode"));
   }
-  if (!sweep.zip && cases > double(most_cases))
-    throw InputError(fmt::format("'{}' has {:.3g} cases", source, cases),
-                     fmt::format("at most {} are possible", most_cases), "Sweep over fewer values.");
-  if (!sweep.weights.empty() && sweep.weights.size() != sweep.size())
-    throw InputError(fmt::format("'{}' has {}", source, counted(sweep.weights.size(), "weight", "weights")),
-                     "it has " + counted(sweep.size(), "case", "cases"), "Give one weight for each case.");
+  require_cases(sweep, reader.together, section);
+  sweep.axes.insert(sweep.axes.begin(), reader.together.begin(), reader.together.end());
   return sweep;
 }
 
@@ -289,13 +354,13 @@ void add_checked(std::set<std::size_t>& checked, CaseRange cases, std::size_t va
 
 void check_values(const SweepFile& sweep, CaseRange cases) {
   std::set<std::size_t> checked{cases.first};
-  if (sweep.zip)
-    add_checked(checked, cases, sweep.size(), std::ranges::all_of(sweep.axes, &SweepFile::Axis::range), 1);
   std::size_t stride = sweep.size();
-  for (const SweepFile::Axis& axis : sweep.axes) {
-    stride /= axis.values.size();
-    if (!sweep.zip)
-      add_checked(checked, cases, axis.values.size(), axis.range, stride);
+  for (auto axis = sweep.axes.begin(); axis != sweep.axes.end();) {
+    const auto next = std::find_if(axis + 1, sweep.axes.end(), std::not_fn(&SweepFile::Axis::beside));
+    stride /= axis->values.size();
+    add_checked(checked, cases, axis->values.size(),
+                std::all_of(axis, next, std::mem_fn(&SweepFile::Axis::range)), stride);
+    axis = next;
   }
   if (checked.size() >= many_scenes)
     messages()->info("{} scenes of '{}' are checked before one is solved", checked.size(), sweep.text.source);

@@ -30,25 +30,30 @@ struct CaseRange {
 ///     [sweep]
 ///     table = "collective.csv"     # instead of lists: one line a case
 ///
-/// A product runs through the last list fastest, in the order of the file. Cases that follow each other
-/// should be alike, because each starts from the one before. Each case is the scene with its values, and is
-/// checked like any scene.
+///     [[sweep.together]]           # lists side by side, as one list of the product; or table = "rails.csv"
+///     rail.profile = [ "60E1", "worn.prr" ]
+///     rail.influence = [ "new.h5", "worn.h5" ]
+///
+/// A product runs through the last list fastest, in the order of the file; lists of `together` come first,
+/// because bodies should change least often. Cases that follow each other should be alike, because each
+/// starts from the one before. Each case is the scene with its values, and is checked like any scene.
 struct SweepFile {
   struct Axis {
     std::string key;
     std::vector<SchemaValue> values;
     int line = 0;
-    bool range = false; ///< given by its ends
+    bool range = false;  ///< given by its ends
+    bool beside = false; ///< goes side by side with the axis before: the two are one list of the product
   };
 
   SceneText text;              ///< with the table
   std::vector<Axis> axes = {}; ///< in the order of the file
   /// sweep.weight: how often each case occurs compared with the others (a load collective); empty: alike. No
-  /// result of a case depends on it.
+  /// result of a case depends on it. One for each case of the lists outside of `together`.
   std::vector<double> weights = {};
-  /// sweep.table: CSV file of lists and weights instead of those of the file (case_table.hpp); "": none.
-  std::string table = {};
-  bool zip = false;
+  /// CSV files of lists (case_table.hpp), and the key that named each: sweep.table, which has weights too,
+  /// and the tables of `together`.
+  std::vector<NamedFile> tables = {};
   std::optional<bool> fields = {}; ///< whether fields of each case are kept, not only its totals
 
   std::size_t size() const;
@@ -56,7 +61,9 @@ struct SweepFile {
   /// What `fields` says; if it says nothing, only few cases have fields: they take 200 kB a case.
   bool keeps_fields() const;
   /// How often a case occurs; 1 without sweep.weight.
-  double weight(std::size_t index) const { return weights.empty() ? 1 : weights[index]; }
+  double weight(std::size_t index) const {
+    return weights.empty() ? 1 : weights[index % weights.size()]; // `together` changes slowest
+  }
   /// Which value of each axis a case has.
   std::vector<std::size_t> indices(std::size_t index) const;
   std::vector<SceneChange> changes(std::size_t index) const;

@@ -1,8 +1,10 @@
 #include "bem_contact/scene/sweep_file.hpp"
 
 #include "tests/base/message.hpp"
+#include "tests/base/temporary_folder.hpp"
 
 #include <fmt/format.h>
+#include <fstream>
 #include <gmock/gmock.h>
 
 namespace {
@@ -38,6 +40,48 @@ TEST(SweepFile, AZipTakesOneOfEach) {
   ASSERT_EQ(sweep.size(), 2u);
   EXPECT_EQ(sweep.scene(1).load.force, 2e3);
   EXPECT_EQ(sweep.scene(1).motion.xi, 1e-3);
+}
+
+/// Profile and influence file of a body belong together: two rails and three wheels are six pairs, not 36.
+TEST(SweepFile, ListsTogetherAreOneListOfTheProduct) {
+  const SweepFile sweep = parse_sweep_file(scene + "load.force = [1e3, 2e3]\n"
+                                                   "[[sweep.together]]\ngap.a = [1, 2]\ngap.b = [10, 20]\n"
+                                                   "[[sweep.together]]\nmotion.xi = [0, 1e-3, 2e-3]\n"
+                                                   "motion.eta = [0.0, 1e-4, 2e-4]\n");
+  ASSERT_EQ(sweep.size(), 12u);
+  for (std::size_t i = 0; i < 12; ++i) { // the bodies change slowest, wherever they stand in the file
+    const SceneFile one = sweep.scene(i);
+    EXPECT_EQ(one.gap.a, i < 6 ? 1 : 2) << i;
+    EXPECT_EQ(one.gap.b, 10 * one.gap.a) << i;
+    EXPECT_EQ(one.motion.xi, double(i / 2 % 3) * 1e-3) << i;
+    EXPECT_DOUBLE_EQ(one.motion.eta, one.motion.xi / 10) << i;
+    EXPECT_EQ(one.load.force, i % 2 == 0 ? 1e3 : 2e3) << i;
+  }
+}
+
+TEST(SweepFile, ACollectiveIsSweptWithEachPairOfBodies) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "bodies.csv") << "gap.a,gap.b\n1,10\n2,20\n3,30\n";
+  std::ofstream(folder / "collective.csv") << "load.force,motion.xi,weight\n1e3,0,5\n2e3,1e-3,7\n";
+  const SweepFile sweep =
+      parse_sweep_file({scene + "table = \"collective.csv\"\ntogether = [ { table = \"bodies.csv\" } ]\n",
+                        "s.toml", folder.path()});
+  ASSERT_EQ(sweep.size(), 6u);
+  EXPECT_EQ(sweep.describe(3), "gap.a = 2, gap.b = 20, load.force = 2000, motion.xi = 0.001");
+  EXPECT_EQ(sweep.weight(2), 5);
+  EXPECT_EQ(sweep.weight(5), 7);
+  ASSERT_EQ(sweep.tables.size(), 2u); // files that the results depend on
+}
+
+TEST(SweepFile, EachPairIsChecked) {
+  const SweepFile sweep =
+      parse_sweep_file(scene + "load.force = { from = 1, to = 1e6, count = 1000000 }\n"
+                               "[[sweep.together]]\ngap.a = [1, -2, 3]\ngap.b = [0, 0, 0]\n");
+  EXPECT_EQ(message_of([&] { check_values(sweep); }), "no error");
+  const SweepFile wrong =
+      parse_sweep_file(scene + "load.force = { from = 1, to = 1e6, count = 1000000 }\n"
+                               "[[sweep.together]]\ngap.a = [1, 2]\ngrid.dx = [0.5, -1]\n");
+  EXPECT_THAT(message_of([&] { check_values(wrong); }), HasSubstr("grid.dx = -1"));
 }
 
 TEST(SweepFile, ARangeHasBothEndsAndRoundNumbers) {
@@ -143,6 +187,15 @@ TEST(SweepFile, WhatIsWrongIsSaidWithItsLine) {
   EXPECT_THAT(message("load.force = [1]\nweight = [-1]\n"), HasSubstr("weights are positive numbers"));
   EXPECT_THAT(message("load.force = [1]\nweight = 2\n"), HasSubstr("sweep.weight is no list"));
   EXPECT_THAT(message(""), HasSubstr("no table [sweep]"));
+  EXPECT_THAT(message("[[sweep.together]]\ngap.a = [1, 2]\ngap.b = [1]\n"),
+              HasSubstr("gap.a has 2 values and gap.b has 1) Give lists of equal lengths."));
+  EXPECT_THAT(message("gap.a = [1]\n[[sweep.together]]\ngap.a = [1, 2]\n"), HasSubstr("given twice"));
+  EXPECT_THAT(message("[[sweep.together]]\ngap.a = 2\n"),
+              HasSubstr("sweep.together.gap.a is a single value"));
+  EXPECT_THAT(message("together = 3\n"), HasSubstr("sweep.together has no lists"));
+  EXPECT_THAT(message("together = [ [1] ]\n"), HasSubstr("sweep.together has no lists"));
+  EXPECT_THAT(message("load.force = [1, 2]\nweight = [1]\n[[sweep.together]]\ngap.a = [1, 2]\n"),
+              HasSubstr("has 1 weight (a pair of bodies has 2 cases)"));
 }
 
 TEST(SweepFile, WeightsAreNoKeyOfAScene) {

@@ -14,12 +14,10 @@ namespace bem_contact::app {
 
 namespace {
 
-/// The table of cases, and the files that the lists name, with the key "rail.profile[1]" for the second of a
+/// The tables of cases, and the files that the lists name, with the key "rail.profile[1]" for the second of a
 /// list.
 std::vector<NamedFile> files_of_lists(const SweepFile& sweep) {
-  std::vector<NamedFile> out;
-  if (!sweep.table.empty())
-    out.push_back({"sweep.table", sweep.table, sweep.text.folder / sweep.table});
+  std::vector<NamedFile> out = sweep.tables;
   for (const SweepFile::Axis& axis : sweep.axes)
     for (std::size_t k = 0; k < axis.values.size(); ++k)
       if (const auto* text = std::get_if<std::string>(&axis.values[k]))
