@@ -30,9 +30,13 @@ void use_one_blas_thread() {
     set(1);
 }
 
-/// OpenMPI searches for UCX at the start, which takes .2 s and only serves networks. We switch the search off
-/// if all processes are on one machine and the user has not chosen otherwise.
-void start_quickly_on_one_machine() {
+/// What OpenMPI shall use, where the user has not chosen otherwise.
+///
+/// It searches for UCX at the start, which takes .2 s and only serves networks: not if all processes are on
+/// one machine. And OpenMPI 4.1 cannot make a window of processes on several machines by UCX ("invalid
+/// window"), with which we count the wavenumbers; its other ways can.
+void choose_transport() {
+  ::setenv("OMPI_MCA_osc", "^ucx", 0);
   const char *all = std::getenv("OMPI_COMM_WORLD_SIZE"), *here = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
   if ((!all && !here) || (all && here && std::string_view(all) == here))
     ::setenv("OMPI_MCA_pml", "ob1", 0);
@@ -120,7 +124,7 @@ int run_program(int argc, char** argv) {
   }
 
   use_one_blas_thread();
-  start_quickly_on_one_machine();
+  choose_transport();
   MPI_Init(&argc, &argv);
   const auto messages = install_message_sink();
   if (fem::process_rank() != 0)
