@@ -45,12 +45,14 @@ void seal(std::span<std::byte> whole_file, int format_major, int format_minor) {
   std::memcpy(whole_file.data(), text.data(), text.size());
 }
 
-bool begins_with_seal(const std::filesystem::path& file) {
+std::string seal_of(const std::filesystem::path& file) {
   if (!is_regular(file))
-    return false;
+    return {};
   std::ifstream in(file, std::ios::binary);
-  std::string found(std::strlen(title), '\0');
-  return in.read(found.data(), static_cast<std::streamsize>(found.size())) && found == title;
+  std::string found(seal_size, '\0');
+  in.read(found.data(), static_cast<std::streamsize>(found.size()));
+  found.resize(static_cast<std::size_t>(in.gcount()));
+  return found.starts_with(title) ? found : std::string();
 }
 
 std::string check_seal(const std::filesystem::path& file, int format_major) {

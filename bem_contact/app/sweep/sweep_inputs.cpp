@@ -4,6 +4,7 @@
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/base/sha256.hpp"
 #include "bem_contact/scene/command_tables.hpp"
+#include "bem_contact/influence/file_seal.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -59,8 +60,10 @@ GivenScene given_sweep(const SweepFile& sweep, const std::string& model) {
 std::string digest_of(const SweepFile& sweep, const std::string& options) {
   std::string all = provenance("bem_contact") + "\n" + std::string(commit()) + "\n" + options + "\n" +
                     sha256(text_for(sweep.text, {"sweep"})) + "\n";
-  for (const std::string& name : input_paths(sweep))
-    all += sha256_of_file(name) + "\n";
+  for (const std::string& name : input_paths(sweep)) {
+    const std::string seal = seal_of(name); // of an influence file
+    all += (seal.empty() ? sha256_of_file(name) : sha256(seal)) + "\n";
+  }
   return sha256(all);
 }
 

@@ -19,7 +19,8 @@ std::vector<std::filesystem::path> files_read(const std::filesystem::path& file,
 GivenScene given_sweep(const SweepFile& sweep, const std::string& model);
 
 /// Digest (SHA-256) of everything that the results depend on: version and commit, options of the command
-/// (model, strictness), scene and the files it reads.
+/// (model, strictness), scene and the files it reads. Influence files count by their seals: a fleet has
+/// gigabytes of them, and each task asks.
 std::string digest_of(const SweepFile& sweep, const std::string& options);
 
 } // namespace bem_contact::app
