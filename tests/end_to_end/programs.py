@@ -7,6 +7,20 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 BIN = Path(os.environ.get("CONFORMAL_BIN", ROOT / "build" / "bin"))
+# A body file whose influence functions take a second.
+SMALL_BLOCK = """[body]
+kind = "block"
+size = 40.0
+[strip]
+from = -2.0
+to = 2.0
+station_width = 0.5
+[harmonic]
+degree = 2
+border_levels = 1
+half_period = 120.0
+shortest_dx = 0.5
+"""
 
 
 def influence(body, out):

@@ -8,21 +8,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from programs import BIN
+from programs import BIN, SMALL_BLOCK
 
-BODY = """[body]
-kind = "block"
-size = 40.0
-[strip]
-from = -2.0
-to = 2.0
-station_width = 0.5
-[harmonic]
-degree = 2
-border_levels = 1
-half_period = 120.0
-shortest_dx = 0.5
-"""
 UNSHARE = ["unshare", "--uts"] + ([] if os.geteuid() == 0 else ["--map-root-user"])
 START = f"""#!/usr/bin/env bash
 host=$1
@@ -37,7 +24,7 @@ class TwoComputers(unittest.TestCase):
             self.skipTest("a process cannot get another name of the machine here")
         with tempfile.TemporaryDirectory() as temporary:
             folder = Path(temporary)
-            (folder / "block.toml").write_text(BODY)
+            (folder / "block.toml").write_text(SMALL_BLOCK)
             (folder / "start").write_text(START)
             (folder / "start").chmod(0o755)
             environment = os.environ | {name: "1" for name in (

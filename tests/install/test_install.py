@@ -144,6 +144,14 @@ COMP_WORDS=(bem_contact comp); COMP_CWORD=1; _bem_contact; echo "${{COMPREPLY[@]
         self.assertIn("tangent_plane", completed[1].split())
         self.assertEqual(completed[2].split()[0], "compare")
 
+    def test_the_cluster_tools_find_the_programs(self):
+        tools = self.prefix / "share/conformal_contact/tools"
+        (self.work / "config.toml").write_text("")
+        found = run(sys.executable, "-c", "import cluster_tasks, sys; print(cluster_tasks.read('config.toml', sys.argv[1]).programs)",
+                    tools / "cluster", cwd=self.work, env={"PATH": "/usr/bin:/bin", "PYTHONPATH": str(tools / "cluster")})
+        self.assertEqual(Path(found.strip()), self.prefix / "bin")
+        self.assertTrue((tools / "cluster" / "Snakefile").exists() and (tools / "influence").exists())
+
     def test_python(self):
         package = next(self.prefix.glob("lib/**/bem_contact/__init__.py")).parent.parent
         code = f"import bem_contact as b; print(b.__version__, b.solve({str(self.scene)!r}).pmax, b.__file__)"
