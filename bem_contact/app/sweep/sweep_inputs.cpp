@@ -3,8 +3,8 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/base/sha256.hpp"
-#include "bem_contact/scene/command_tables.hpp"
 #include "bem_contact/influence/file_seal.hpp"
+#include "bem_contact/scene/command_tables.hpp"
 
 #include <algorithm>
 #include <filesystem>
