@@ -6,6 +6,7 @@
 #include "bem_contact/base/toml.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/scene/command_tables.hpp"
+#include "bem_contact/scene/sweep_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +34,9 @@ constexpr const char* keys_that_matter[] = {"solver.model",
                                             "grid.accuracy",
                                             "grid.dx",
                                             "grid.ds"};
+
+/// Of these 0 says that there is none.
+constexpr std::string_view zero_is_none[] = {"track.curve_radius", "motion.speed", "grid.accuracy"};
 
 toml::table parsed(const std::string& text, const std::string& source) {
   try {
@@ -165,22 +169,30 @@ std::vector<TakenValue> taken_values(const SceneText& scene) {
   const toml::table given = parsed(scene.toml, scene.source);
   toml::table all;
   try {
-    all = parsed(scene_with_defaults(parse_scene_file(scene)), "scene");
-  } catch (const InputError&) { // only with the lists of [sweep] or [table] it is a scene: they say the load
+    const SceneFile first = has_sweep(scene) ? parse_sweep_file(scene).scene(0) : parse_scene_file(scene);
+    all = parsed(scene_with_defaults(first), "scene");
+  } catch (const InputError&) { // the parts say what is wrong
     all = given;
   }
   std::vector<TakenValue> out;
   for (const char* key : keys_that_matter) {
     const auto node = all.at_path(key);
-    const bool found_elements = std::string_view(key).starts_with("grid.d") && all.at_path("grid.accuracy");
-    if (!node || found_elements)
+    const std::string_view name = key;
+    const bool given_here = static_cast<bool>(given.at_path(key));
+    const bool found = name.starts_with("grid.d") && all.at_path("grid.accuracy").value_or(0.0) > 0;
+    const bool none = !given_here && node.value_or(1.0) == 0 && std::ranges::count(zero_is_none, name) > 0;
+    if (!node || found || none)
       continue;
     std::string value;
+    if (given.at_path(fmt::format("sweep.{}", key))) {
+      out.push_back({key, "as [sweep] lists it", "", true});
+      continue;
+    }
     if (const auto text = node.value<std::string>())
       value = *text;
     else if (const auto number = node.value<double>())
       value = fmt::format("{:.9g}", *number);
-    out.push_back({key, value, unit_of_key(key), static_cast<bool>(given.at_path(key))});
+    out.push_back({key, value, unit_of_key(key), given_here});
   }
   return out;
 }

@@ -258,8 +258,12 @@ std::vector<std::string> write_tables(const std::filesystem::path& folder,
     names.push_back(name);
   };
   for (const PartResult& result : results) {
-    if (std::string_view(result.part->name) == "sweep")
-      continue; // the command has written them
+    if (std::string_view(result.part->name) == "sweep") { // the command has written them
+      for (const char* name : {"sweep.csv", "sweep_patches.csv", "sweep_units.csv"})
+        if (file_exists(folder / name))
+          names.emplace_back(name);
+      continue;
+    }
     each_table(record_of_part(result), result.part->name,
                [&](const std::string& name, const record::Table& table) {
                  write(name, [&](std::ostream& out) { record::write_csv(out, table); });
