@@ -105,19 +105,20 @@ const addComparison = () => {
 
 /// Where a click on a mark of a sweep shows the patch of its case. Undefined where the page has no fields.
 const addCaseView = () => {
-  const cases = Object.fromEntries(Object.entries(data.cases ?? {}).filter(([, one]) => one.p_n).map(([name, one]) => [Number(name), one]));
+  const own = data; // of a study, the part that is added now
+  const cases = Object.fromEntries(Object.entries(own.cases ?? {}).filter(([, one]) => one.p_n).map(([name, one]) => [Number(name), one]));
   if (!Object.keys(cases).length)
     return undefined;
-  const block = add("div", "", page, {id: "case", className: "screen-only"}), frame = add("div", "", block, {id: "case-patch"});
+  const block = add("div", "", page, {id: `${idPrefix}case`, className: "screen-only"}), frame = add("div", "", block, {id: `${idPrefix}case-patch`});
   add("div", "", frame, {className: "drawing"});
   const line = add("p", "A click on a mark shows the patch of its case here.", block, {className: "caption"});
   return async index => {
     if (!cases[index])
       return void (line.textContent = `Case ${index} has no patch.`);
     const contact = contactOf(cases[index].attributes.model, cases[index]), figure = patchFigure(contact);
-    const where = sweptKeys(data).map(key => `${words(key)} ${keyText(data[key], index)} ${unitText(data[key].unit.replace(/^1$/, ""))}`.trim()).join(", ");
+    const where = sweptKeys(own).map(key => `${words(key)} ${keyText(own[key], index)} ${unitText(own[key].unit.replace(/^1$/, ""))}`.trim()).join(", ");
     line.textContent = `Case ${index}: ${where}; ${titleOf(contact.name).toLowerCase()}, largest pressure ` +
-                       `${number(data.pmax?.values[index], data.pmax_error?.values[index])} MPa.` + (figure ? "" : " Nothing is in contact.");
+                       `${number(own.pmax?.values[index], own.pmax_error?.values[index])} MPa.` + (figure ? "" : " Nothing is in contact.");
     frame.className = figure ? "figure" : "";
     frame.hidden = !figure;
     if (figure)
