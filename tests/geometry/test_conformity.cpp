@@ -51,8 +51,8 @@ TEST(Conformity, OfTwoArcsIsThatOfTwoCircles) {
 }
 
 TEST(Conformity, HasTheClassesOfItsLargestDistance) {
-  EXPECT_EQ(of_arcs(13, 13.2, 6).fit(), Fit::closely_conformal); // 0.06 mm
-  EXPECT_EQ(of_arcs(13, 14.0, 6).fit(), Fit::conformal);         // 0.3 mm
+  EXPECT_EQ(of_arcs(13, 13.2, 6).fit(), Fit::closely_conformal); // 0.09 mm
+  EXPECT_EQ(of_arcs(13, 13.8, 6).fit(), Fit::conformal);         // 0.35 mm
   EXPECT_EQ(of_arcs(13, 20.0, 6).fit(), Fit::not_conformal);
   EXPECT_EQ(of_arcs(300, 330, 6).fit(), Fit::closely_conformal); // 20 mm of it: 0.06 mm
 }

@@ -193,11 +193,12 @@ void add_keys(CLI::App& line, const std::shared_ptr<ConicityArguments>& argument
   number("--back-to-back", "position.back_to_back", "Distance of the flange backs, mm");
   number("--tape-circle", "position.tape_circle", "Distance of the tape circle from the flange back, mm");
   line.add_option_function<std::string>(
-      "--network",
-      [=](const std::string& name) {
-        arguments->changes.push_back({"track.network", name});
-      },
-      "Whose gauge, flange backs and inclination are the defaults: UIC, GB, China, AREMA");
+          "--network",
+          [=](const std::string& name) {
+            arguments->changes.push_back({"track.network", name});
+          },
+          "Whose gauge, flange backs and inclination are the defaults: UIC, GB, China, AREMA")
+      ->configurable(false); // the scene has a key for it
   number("--wheel-radius", "position.wheel_radius", "At the tape circle, mm");
 }
 

@@ -135,8 +135,9 @@ TEST(ReferenceWheels, AAndBOfTheTablesHaveThePrintedConicity) {
       const auto& motion = found.values[k].motion;
       ASSERT_TRUE(motion) << name << " " << k + 1;
       fmt::print("{} {} mm: {:.4f}, printed {:.4f}\n", name, k + 1, motion->tan_gamma, printed[k]);
-      if (name != std::string("EN15302-B") || k != 2)
-        EXPECT_NEAR(motion->tan_gamma, printed[k], std::min(0.05, 0.5 * printed[k])) << name << " " << k + 1;
+      if (name == std::string("EN15302-B") && k == 2)
+        continue;
+      EXPECT_NEAR(motion->tan_gamma, printed[k], std::min(0.05, 0.5 * printed[k])) << name << " " << k + 1;
     }
     EXPECT_NEAR(found.nonlinearity, (printed[3] - printed[1]) / 2, 0.01) << name;
   }
