@@ -42,6 +42,9 @@ cases = 4
 scene = "wear.toml"
 folder = "results/worn 'pair'"
 options = [ "--depth", "0.02", "--cap", "0.01" ]
+[[study]]
+scene = "study.toml"
+folder = "results/a study"
 [[table]]
 scene = "table.toml"
 output = "results/forces.h5"
@@ -130,7 +133,7 @@ class Plans(unittest.TestCase):
         (self.folder / "my bodies").mkdir(parents=True)
         for body in ("it's small", '"small" $(touch ran)'):
             (self.folder / "my bodies" / f"{body}.toml").write_text(SMALL_BLOCK)
-        for name, text in (('a "sweep".toml', SWEEP), ("wear.toml", WEAR), ("table.toml", TABLE), ("config.toml", PLAN)):
+        for name, text in (('a "sweep".toml', SWEEP), ("wear.toml", WEAR), ("study.toml", PAIR), ("table.toml", TABLE), ("config.toml", PLAN)):
             (self.folder / name).write_text(text)
         self.environment = os.environ | {"CONFORMAL_BIN": str(BIN)}
 
@@ -150,6 +153,7 @@ class Plans(unittest.TestCase):
                 self.assertAlmostEqual(a, b, delta=1e-6 * 0.3 * 8e4)
         self.assertEqual(len((results / "it's.csv").read_text().splitlines()), 10)
         self.assertTrue((results / "worn 'pair'" / "rail.txt").exists())
+        self.assertTrue((results / "a study" / "study.h5").exists())
         self.assertTrue((results / "forces.h5").exists())
         self.assertEqual(len(list((self.folder / "influence files").glob("*.h5"))), 2)
         self.assertEqual(list(self.folder.rglob("ran")), [])

@@ -101,6 +101,7 @@ KEYS = {
     "body": ({"files", "folder"}, {"processes": 1, "memory": 1000, "minutes": 60, "nodes": 1}),
     "sweep": ({"scene", "output"}, {"csv": "", "cases": 3200, "memory": 1000, "minutes": 60, "options": [], "needs": []}),
     "wear": ({"scene", "folder"}, {"threads": 1, "memory": 1000, "minutes": 600, "options": [], "needs": []}),
+    "study": ({"scene", "folder"}, {"threads": 1, "memory": 2000, "minutes": 600, "options": [], "needs": []}),
     "table": ({"scene", "output"}, {"threads": 1, "memory": 2000, "minutes": 120, "options": [], "needs": []}),
 }
 
@@ -120,7 +121,8 @@ class Plan:
         tool = str(Path(cluster_folder).resolve().parent / "influence")
         self.bodies = [body for entry in entries["body"] for body in self.bodies_of(entry, tool)]
         self.sweeps = [self.sweep_of(entry) for entry in entries["sweep"]]
-        self.wear = [Task(**self.common(entry, entry["folder"]), folder=entry["folder"]) for entry in entries["wear"]]
+        self.wear, self.studies = ([Task(**self.common(entry, entry["folder"]), folder=entry["folder"]) for entry in entries[kind]]
+                                   for kind in ("wear", "study"))
         self.tables = [Task(**self.common(entry, entry["output"]), output=entry["output"]) for entry in entries["table"]]
         self.require_distinct()
 
@@ -227,7 +229,7 @@ class Plan:
 
     def results(self):
         return (self.influence_files() + [one for sweep in self.sweeps for one in sweep.outputs] +
-                [wear.folder + "/finished" for wear in self.wear] + [table.output for table in self.tables])
+                [one.folder + "/finished" for one in self.wear + self.studies] + [table.output for table in self.tables])
 
 
 def read(file, cluster_folder):
