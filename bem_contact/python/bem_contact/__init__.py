@@ -19,7 +19,7 @@ Each command of the program has a function here, or is called as a command:
     conicity      conicity()                              report        report()
     plot          plot()
 
-    info, influence, options such as --csv    python3 -m bem_contact info FILE.h5, from a shell
+    info, influence, new, from-contact, study, explore, options such as --csv    python3 -m bem_contact info FILE.h5, from a shell
 
 A profile of your own may be arrays: Profile(y, z, kind) goes wherever a profile file goes.
 
