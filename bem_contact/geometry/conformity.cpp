@@ -17,8 +17,8 @@ namespace {
 /// 308).
 constexpr double closely = 0.1, loosely = 0.4;
 constexpr double farthest_s = 20.0; ///< mm. As above.
-/// mm. Steps along s. Between them the distance is linear to .001 mm at a radius of 13 mm.
-constexpr double step = 0.1;
+/// mm. Steps along s. Between them the distance is linear to .0015 mm at a radius of 13 mm.
+constexpr double step = 0.4;
 /// mm. Displacements among which that of the flange is sought, and how far apart the first are: beyond the
 /// play of the thinnest flange, and less than the way from tread to flange.
 constexpr double least_lateral = -10.0, most_lateral = 25.0;
@@ -75,7 +75,9 @@ struct Place {
 Place edge(const Side& side) {
   for (std::size_t k = 1; k < side.s.size(); ++k)
     if (side.distance[k] > closely) {
-      const double t = (closely - side.distance[k - 1]) / (side.distance[k] - side.distance[k - 1]);
+      // Round surfaces part as a parabola: the root of the distance is linear.
+      const double before = std::sqrt(std::max(0.0, side.distance[k - 1])), after = std::sqrt(side.distance[k]);
+      const double t = (std::sqrt(closely) - before) / (after - before);
       return {side.s[k - 1] + t * (side.s[k] - side.s[k - 1]),
               side.wheel_s[k - 1] + t * (side.wheel_s[k] - side.wheel_s[k - 1])};
     }
@@ -132,6 +134,7 @@ Conformity conformity(const WheelOnRail& pair, const TouchPoint& touch, double g
   Conformity out{.rail_s = s, .wheel_s = touch.wheel_s, .delta = touch.delta};
   out.end_s = std::clamp(gauge, s - farthest_s, s + farthest_s);
   const Side towards = one_side(pair, locus, touch, out.end_s);
+  const bool down = out.end_s < s; // the gauge lies there
   for (std::size_t k = 0; k < towards.s.size(); ++k)
     if (towards.distance[k] >= out.largest) {
       out.largest = towards.distance[k];
@@ -141,8 +144,12 @@ Conformity conformity(const WheelOnRail& pair, const TouchPoint& touch, double g
     out.largest = excluded_gap;
     out.largest_s = out.end_s;
   }
-  const Place low = edge(one_side(pair, locus, touch, std::max(s - farthest_s, pair.rail.s_begin()))),
-              high = edge(one_side(pair, locus, touch, std::min(s + farthest_s, pair.rail.s_end())));
+  // The stretch towards the gauge serves for the width too where it goes beyond `closely`.
+  const auto border = [&](double end) {
+    return edge((end < s) == down && out.largest > closely ? towards : one_side(pair, locus, touch, end));
+  };
+  const Place low = border(std::max(s - farthest_s, pair.rail.s_begin())),
+              high = border(std::min(s + farthest_s, pair.rail.s_end()));
   out.width = high.rail_s - low.rail_s;
   out.turn = std::abs(pair.rail.at(high.rail_s).delta - pair.rail.at(low.rail_s).delta);
   out.rail_radius = mean_radius(pair.rail, low.rail_s, high.rail_s);

@@ -127,6 +127,7 @@ class Pages(unittest.TestCase):
         """The program in a process of its own; pictures and tools in this one, which has their libraries already."""
         words = shlex.split(line, comments=True)
         if words[0] == "mkdir":
+            Path(words[-1]).mkdir(parents=True, exist_ok=True)
             return ""
         if words[:2] == ["bem_contact", "plot"]:
             with contextlib.redirect_stderr(io.StringIO()) as said:

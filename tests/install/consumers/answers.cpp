@@ -28,9 +28,11 @@ void answer(const std::filesystem::path& scenes) {
                   rolling = read_scene_file(scenes / "steady_rolling.toml");
   print("tan_gamma_3mm", wheelset_conicity(wheelset_of(axle)).values.at(2).motion.value().tan_gamma);
   print("axle_Fy", solve_wheelset(axle).state.sum().force[1]);
-  SweepSolver solver(bem_contact::shared_files());
-  const SweepCase middle = solve_case(solver, read_sweep_file(scenes / "wheelset_sweep.toml"), 4, {});
-  print("case_status", static_cast<double>(middle.status));
+  const SweepFile sweep = read_sweep_file(scenes / "wheelset_sweep.toml");
+  solve_cases(sweep, {4, 5}, {}, shared_files(), [](const SweepCase& middle) {
+    print("case_status", static_cast<double>(middle.status));
+    return true;
+  });
 
   const CreepRange range{CreepKind::xi, {0, 1e-2}};
   const CreepCurves curves = creep_curves(rolling, {&range, 1});
