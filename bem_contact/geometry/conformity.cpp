@@ -76,7 +76,8 @@ Place edge(const Side& side) {
   for (std::size_t k = 1; k < side.s.size(); ++k)
     if (side.distance[k] > closely) {
       // Round surfaces part as a parabola: the root of the distance is linear.
-      const double before = std::sqrt(std::max(0.0, side.distance[k - 1])), after = std::sqrt(side.distance[k]);
+      const double before = std::sqrt(std::max(0.0, side.distance[k - 1])),
+                   after = std::sqrt(side.distance[k]);
       const double t = (std::sqrt(closely) - before) / (after - before);
       return {side.s[k - 1] + t * (side.s[k] - side.s[k - 1]),
               side.wheel_s[k - 1] + t * (side.wheel_s[k] - side.wheel_s[k - 1])};

@@ -88,7 +88,7 @@ TEST_F(ConicityCommand, TextJsonCsvAndHdf5AgreeAndTheHelpIsRight) {
   EXPECT_THAT(run("info '" + (folder_ / "c.h5").string() + "'").out,
               HasSubstr("conicity/tan_gamma [10]: equivalent conicity"));
   const std::string csv = text_of(folder_ / "c.csv");
-  EXPECT_THAT(csv, HasSubstr("lateral_mm,difference_mm,roll_rad,"));
+  EXPECT_THAT(csv, HasSubstr("lateral_mm,difference_mm,tan_difference,roll_rad,"));
   EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + j["function"]["lateral"].size());
 }
 

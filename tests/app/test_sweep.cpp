@@ -20,6 +20,7 @@
 namespace {
 
 using namespace bem_contact;
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
@@ -187,7 +188,9 @@ TEST_F(Sweep, APartThatIsCutOrChangedIsRefused) {
   for (const std::size_t at : {numbers, numbers + 7, numbers + 8 * forces.size() - 1}) {
     const Outcome changed = changed_at(at);
     EXPECT_EQ(changed.code, 2) << at;
-    EXPECT_THAT(changed.err, HasSubstr("q.h5' is damaged (its dataset 'Fx'")) << at;
+    EXPECT_THAT(changed.err,
+                AnyOf(HasSubstr("q.h5' is damaged (its dataset 'Fx'"), HasSubstr("q.h5' cannot be read")))
+        << at;
     EXPECT_FALSE(fs::exists(out()));
   }
   // Any other: refused, or of no meaning.

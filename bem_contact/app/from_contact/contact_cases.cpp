@@ -9,8 +9,9 @@
 #include <fmt/format.h>
 #include <optional>
 
-// What stands where in the file: as CONTACT itself reads it (E.A.H. Vollebregt, CONTACT, open source, the reader
-// of its input file). Signs of the rail's cant and of FX in module 1 are those of that program's examples.
+// What stands where in the file: as CONTACT itself reads it (E.A.H. Vollebregt, CONTACT, open source, the
+// reader of its input file). Signs of the rail's cant and of FX in module 1 are those of that program's
+// examples.
 namespace bem_contact::app {
 
 namespace {

@@ -13,13 +13,14 @@ DRAW = {"result": results.draw_result, "comparison": results.draw_comparison, "w
         "mesh": meshes.draw, "influence file": influence.draw}
 PROFILES = ("profile", "profile table")
 WITH_BODIES = ("result", "comparison")  # meshes of both bodies may follow
+MESHES = (".msh", ".toml")
 
 
 def draw(files, picture, options):
     """The figure; of a film nothing. `picture`: where it is written; None: nowhere."""
     first, *others = files
     kind = from_file(first, lambda: kind_of(first))
-    with_bodies = kind in WITH_BODIES and others and not options
+    with_bodies = kind in WITH_BODIES and others and not options and all(Path(name).suffix in MESHES for name in others)
     if kind not in PROFILES and not with_bodies and (others or options):
         refuse(f"'{first}' is drawn alone", f"{(options + others)[0]} is more", "Leave it out.")
     film = picture is not None and require_picture(Path(picture), kind, files)
