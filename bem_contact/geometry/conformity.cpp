@@ -22,9 +22,9 @@ constexpr double step = 0.4;
 /// mm. Displacements among which that of the flange is sought, and how far apart the first are: beyond the
 /// play of the thinnest flange, and less than the way from tread to flange.
 constexpr double least_lateral = -10.0, most_lateral = 25.0;
-constexpr double lateral_step = 0.5; ///< mm. As above.
+constexpr double lateral_step = 1.0; ///< mm. As above.
 /// mm. How closely that displacement is found.
-constexpr double lateral_tolerance = 1e-6;
+constexpr double lateral_tolerance = 1e-4;
 
 /// The arc length at which the rail's gauge side is first `depth` below its top; its end where it is not.
 double gauge_point(const WheelOnRail& pair, double depth) {
