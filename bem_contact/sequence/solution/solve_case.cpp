@@ -142,7 +142,6 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   out.reference = asked.setup.reference();
   if (const WheelRailGeometry* placed = asked.setup.wheel_rail()) {
     out.lateral = asked.scene.position.lateral;
-    out.conformity = conformity_of_case(asked);
     out.rolling_radius = asked.setup.motion.creepage.rolling_radius;
     out.contact_radius = contact_radius(placed->pair, out.problem, out.result);
     out.rail_geometry = placed->pair.rail.digest();
@@ -224,6 +223,8 @@ SceneResult recorded(PlacedSolution placed, const ModelChoice& choice, const Sol
   const double seconds = finding.seconds();
   SceneResult out = record_of(placed.asked, std::move(placed.solved), choice);
   out.structure = std::move(placed.structure);
+  if (out.lateral && resources.displacements && !resources.totals_only) // not where one of many totals is wanted
+    out.conformity = conformity_of_case(placed.asked);
   if (free)
     out.free_rolling = free_rolling_at(placed.asked, *free, out);
   out.seconds.free_rolling += seconds;
