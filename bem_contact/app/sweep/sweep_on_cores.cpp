@@ -12,6 +12,7 @@
 #include "bem_contact/sequence/shared_files.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <fmt/format.h>
 #include <fstream>
@@ -172,14 +173,14 @@ private:
   void choose_size(const EndOfChild& end, std::size_t solved) {
     if (part_size_ > 0)
       return;
-    const std::size_t chunk = chunk_size(taken_.size()),
-                      most = taken_.size() / (chunk * parts_of_a_process * jobs_);
-    const double chunks = part_seconds / (end.seconds / double(solved) * double(chunk));
-    part_size_ =
-        solved < end.cases.size()
-            ? 1
-            : chunk * std::clamp<std::size_t>(static_cast<std::size_t>(std::min(chunks, double(most))), 1,
-                                              std::max<std::size_t>(most, 1));
+    const std::size_t chunk = chunk_size(taken_.size());
+    const double seconds = std::max(end.seconds, 1e-3) / double(solved) * double(chunk), // of a chunk
+        all = double(taken_.size()) / double(chunk), of_a_process = all / double(jobs_);
+    // Many parts keep all processes busy to the end, and short ones cost more than they save.
+    const double balanced = jobs_ > 1 ? of_a_process / double(parts_of_a_process) : all,
+                 worthwhile = std::min(least_part_seconds / seconds, of_a_process),
+                 chunks = std::min(part_seconds / seconds, std::max(balanced, worthwhile));
+    part_size_ = solved < end.cases.size() ? 1 : chunk * std::max<std::size_t>(1, std::lround(chunks));
     folder_.keep_size(part_size_);
   }
 
