@@ -223,7 +223,8 @@ SceneResult recorded(PlacedSolution placed, const ModelChoice& choice, const Sol
   const double seconds = finding.seconds();
   SceneResult out = record_of(placed.asked, std::move(placed.solved), choice);
   out.structure = std::move(placed.structure);
-  if (out.lateral && resources.displacements && !resources.totals_only) // not where one of many totals is wanted
+  if (out.lateral && resources.displacements &&
+      !resources.totals_only) // not where one of many totals is wanted
     out.conformity = conformity_of_case(placed.asked);
   if (free)
     out.free_rolling = free_rolling_at(placed.asked, *free, out);
