@@ -17,6 +17,12 @@
 #include <sys/wait.h>
 #include <thread>
 
+/// HDF5 itself does not free what it read before a checksum that does not hold.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:libhdf5";
+}
+
 namespace {
 
 using namespace bem_contact;
@@ -193,9 +199,9 @@ TEST_F(Sweep, APartThatIsCutOrChangedIsRefused) {
         << at;
     EXPECT_FALSE(fs::exists(out()));
   }
-  // Any other: refused, or of no meaning. HDF5 itself then keeps memory that it never frees (some flipped
-  // bits of its own structures), which the leak sanitizer would report.
-  for (std::size_t at = 1; at < bytes.size() && !tests::sanitized; at += bytes.size() / 60) {
+  // Any other: refused, or of no meaning.
+  for (std::size_t at = 1; at < bytes.size();
+       at += bytes.size() / static_cast<std::size_t>(tests::alike(60))) {
     const Outcome changed = changed_at(at);
     EXPECT_EQ(changed.code, fs::exists(out()) ? 0 : 2) << at << changed.err;
     if (fs::exists(out()))
