@@ -196,7 +196,7 @@ weight = [3, 1, 2]
 
 def ends(code):
     """A Python of its own: its exit code and what it says."""
-    done = subprocess.run([sys.executable, "-c", f"SCENES = {str(SCENES)!r}\n{code}"], capture_output=True, text=True, timeout=120)
+    done = subprocess.run([sys.executable, "-W", "ignore::DeprecationWarning", "-c", f"SCENES = {str(SCENES)!r}\n{code}"], capture_output=True, text=True, timeout=120)
     return done.returncode, done.stdout + done.stderr
 
 
