@@ -144,7 +144,6 @@ void say_what_is_kept(const SweepFile& sweep) {
 /// What the file says, which all of these print; and its CSV files.
 ExitCode say_what_was_found(const AskedSweep& asked, const SweepRequest& request, const std::string& head) {
   const H5Reader file(request.output);
-  require_table(file, asked.columns(), asked.sweep.size());
   if (!request.csv.empty())
     write_csv(csv_files(request.csv), asked.sweep, asked.columns(), file);
   const SweepSummary summary = sweep_summary(file, asked.sweep.size(), head);
@@ -208,15 +207,17 @@ ExitCode run_all(const SweepRequest& request, SweepFile sweep) {
   std::string head;
   if (is_complete(request.output, asked.digest)) {
     head = fmt::format("'{}' is complete: nothing was solved\n", request.output);
-    folder.clear(); // a kill left them after the file was done
+    require_table(H5Reader(request.output), asked.columns(), asked.sweep.size());
+    folder.clear(folder.parts()); // a kill left them after the file was done
   } else {
     say_what_is_kept(asked.sweep);
     const SolvedParts solved = solve_on_cores(folder, request.jobs, part_solver(asked));
     if (solved.code != 0)
       return static_cast<ExitCode>(solved.code);
-    join(asked, folder.parts(), solved.died, request.output);
+    const std::vector<SweepPart> parts = folder.parts();
+    join(asked, parts, solved.died, request.output);
     if (solved.died.empty())
-      folder.clear();
+      folder.clear(parts);
   }
   return say_what_was_found(asked, request, head);
 }

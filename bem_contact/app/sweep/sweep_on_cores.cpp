@@ -148,7 +148,7 @@ private:
   /// How many cases are done with it.
   std::size_t close(const EndOfChild& end) {
     if (end.code == success) {
-      const CaseRange solved = read_part(folder_.asked(), folder_.file(end.cases.first)).cases;
+      const CaseRange solved = cases_in_part(folder_.asked(), folder_.file(end.cases.first));
       choose_size(end, solved.size());
       order_singly({solved.last, end.cases.last});
       return solved.size();
@@ -234,8 +234,8 @@ void PartsFolder::keep_size(std::size_t size) const {
   write_text(folder_ / size_name, [&](std::ostream& out) { out << size << '\n'; });
 }
 
-void PartsFolder::clear() const {
-  for (const SweepPart& part : parts())
+void PartsFolder::clear(const std::vector<SweepPart>& parts) const {
+  for (const SweepPart& part : parts)
     fs::remove(part.file);
   if (size() > 0)
     fs::remove(folder_ / size_name);

@@ -29,8 +29,8 @@ public:
   /// Cases of a part, as a former run has chosen it; 0: none has.
   std::size_t size() const;
   void keep_size(std::size_t size) const;
-  /// Removes what this class has written.
-  void clear() const;
+  /// Removes what this class has written, with these parts (parts()), which are in the whole now.
+  void clear(const std::vector<SweepPart>& parts) const;
 
 private:
   void remove_unfinished() const;

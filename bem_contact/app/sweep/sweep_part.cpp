@@ -67,8 +67,10 @@ CaseRange solve_part(const AskedSweep& asked, CaseRange cases, const std::shared
   return cases;
 }
 
-SweepPart read_part(const AskedSweep& asked, const std::filesystem::path& file) {
-  const H5Reader reader(file);
+namespace {
+
+/// Throws InputError where the file is no part of this sweep.
+CaseRange cases_in(const AskedSweep& asked, const std::filesystem::path& file, const H5Reader& reader) {
   const H5Table head = reader.attributes();
   const auto refuse = [&](const char* problem, const char* why, const char* what_to_do) {
     throw InputError(fmt::format("The file '{}' {}", file.string(), problem), why, what_to_do);
@@ -82,7 +84,18 @@ SweepPart read_part(const AskedSweep& asked, const std::filesystem::path& file) 
   const double first = number_attribute(head, "first_case"), last = number_attribute(head, "last_case");
   if (!(first >= 0 && first < last && last <= static_cast<double>(asked.sweep.size())))
     refuse("is damaged", "the sweep does not have its cases", "Solve them again.");
-  const CaseRange cases{static_cast<std::size_t>(first), static_cast<std::size_t>(last)};
+  return {static_cast<std::size_t>(first), static_cast<std::size_t>(last)};
+}
+
+} // namespace
+
+CaseRange cases_in_part(const AskedSweep& asked, const std::filesystem::path& file) {
+  return cases_in(asked, file, H5Reader(file));
+}
+
+SweepPart read_part(const AskedSweep& asked, const std::filesystem::path& file) {
+  const H5Reader reader(file);
+  const CaseRange cases = cases_in(asked, file, reader);
   return {file, cases, require_table(reader, asked.columns(), cases.size())};
 }
 

@@ -37,5 +37,7 @@ CaseRange solve_part(const AskedSweep& asked, CaseRange cases, const std::shared
 
 /// Throws InputError for a file that is not a part of this sweep, or damaged.
 SweepPart read_part(const AskedSweep& asked, const std::filesystem::path& file);
+/// Of a part that this program has just written: its table is looked at when it is joined.
+CaseRange cases_in_part(const AskedSweep& asked, const std::filesystem::path& file);
 
 } // namespace bem_contact::app
