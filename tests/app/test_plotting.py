@@ -220,6 +220,8 @@ class Meshes(unittest.TestCase):
             bem_contact.plot(result, Path(folder) / "r.png", others=[*names.values()])
             with self.assertRaisesRegex(bem_contact.InputError, "from the profile of the rail"):
                 bem_contact.plot(result, others=[*reversed(names.values())])
+            with self.assertRaisesRegex(bem_contact.InputError, "it is a scene"):
+                bem_contact.plot(data / "scenes" / "hertz.toml")
             with self.assertRaisesRegex(bem_contact.InputError, "a contact has two bodies"):
                 bem_contact.plot(result, others=[names["rail_60E1_gauge_corner"]])
             broken = Path(folder) / "broken.msh"

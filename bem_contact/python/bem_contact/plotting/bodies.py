@@ -86,10 +86,9 @@ def shaded(points, edges):
 
 
 def near_patch(mesh, middle):
-    """The elements around the patch, and their outer edges."""
-    inside = (np.abs(mesh.points[mesh.quads] - middle).max(axis=(1, 2)) < AROUND)
-    part = meshes.Mesh(mesh.name, mesh.points, mesh.quads[inside], mesh.edges)
-    return part, part.border()
+    """The elements around the patch."""
+    inside = np.abs(mesh.points[mesh.quads] - middle).max(axis=(1, 2)) < AROUND
+    return meshes.Mesh(mesh.name, mesh.points, mesh.quads[inside], mesh.edges)
 
 
 def patch_faces(contact):
@@ -107,12 +106,12 @@ def draw_space(axis, contact, rail, wheel):
     """The rail is cut before the patch and the wheel behind it. The painter's order is ours: far things first."""
     middle = np.array([contact.y.mean(), contact.z.mean()])
     thin = {"edgecolor": style.FRAME, "linewidth": 0.3}
-    part, _ = near_patch(wheel, middle)
+    part = near_patch(wheel, middle)
     axis.add_collection3d(Poly3DCollection(in_space(part.points[part.quads], -BEHIND), facecolor=FACE["wheel"], zorder=1, **thin))
-    part, border = near_patch(rail, middle)
-    outline = outer(border, rail.border())
-    axis.add_collection3d(Poly3DCollection(swept(outline, part.points, (-BEHIND, BEFORE)), facecolor=shaded(part.points, outline), zorder=2,
-                                           edgecolor=shaded(part.points, outline), linewidth=0.3))
+    part = near_patch(rail, middle)
+    outline = outer(part.border(), rail.border())
+    greys = shaded(part.points, outline)
+    axis.add_collection3d(Poly3DCollection(swept(outline, part.points, (-BEHIND, BEFORE)), facecolor=greys, edgecolor=greys, linewidth=0.3, zorder=2))
     faces, pressure = patch_faces(contact)
     colours = style.PRESSURE(pressure / (pressure.max() or 1))
     axis.add_collection3d(Poly3DCollection(faces, facecolor=colours, edgecolor=colours, linewidth=0.3, zorder=3))

@@ -4,6 +4,7 @@ import functools
 import math
 import os
 import subprocess
+import tomllib
 from pathlib import Path
 
 import h5py
@@ -132,6 +133,8 @@ def kind_of(name):
         return "profile"
     if h5py.is_hdf5(path):
         return of_hdf5(path)
+    if path.suffix == ".toml" and "body" not in tomllib.loads(path.read_text(encoding="utf-8", errors="replace")):
+        refuse(f"'{name}' cannot be drawn", "it is a scene", f"Solve it first: bem_contact solve {name} -o {path.stem}.h5")
     if path.suffix in (".msh", ".toml"):
         return "mesh"
     with open(path, encoding="utf-8", errors="replace") as opened:
