@@ -65,9 +65,9 @@ class Installed(unittest.TestCase):
             self.assertAlmostEqual(found[name], value, delta=delta, msg=name)
         self.assertGreater(found["table_datasets"], 10)
 
-    def test_the_lines_of_the_readme_work_when_pasted(self):
-        readme = (SOURCE / "README.md").read_text()
-        block = re.search(r"^    cmake --install build.*?(?=\n\n)", readme, re.M | re.S)[0]
+    def test_the_lines_of_the_page_work_when_pasted(self):
+        page = (SOURCE / "data" / "tutorial" / "own_program.md").read_text()
+        block = re.search(r"^    cmake --install build.*?(?=\n\n)", page, re.M | re.S)[0]
         lines = [line.strip() for line in block.splitlines()[1:]]  # it is installed
         copy = self.work / "tests" / "install" / "consumers"
         shutil.copytree(CLIENTS, copy)
@@ -81,7 +81,7 @@ class Installed(unittest.TestCase):
         project = self.work / "six_lines"
         project.mkdir()
         shutil.copy(CLIENTS / "client.cpp", project)
-        (project / "CMakeLists.txt").write_text(re.search(r"```cmake\n(.*?)```", readme, re.S)[1])
+        (project / "CMakeLists.txt").write_text(re.search(r"```cmake\n(.*?)```", page, re.S)[1])
         run("cmake", "-S", project, "-B", project / "build", "-Wno-dev", f"-DCMAKE_PREFIX_PATH={self.prefix}")
         run("cmake", "--build", project / "build")
         self.check(project / "build" / "client")
