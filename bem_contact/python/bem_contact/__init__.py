@@ -23,8 +23,10 @@ Each command of the program has a function here, or is called as a command:
 
 A profile of your own may be arrays: Profile(y, z, kind) goes wherever a profile file goes.
 
-`help(bem_contact.solve)` and `help(bem_contact.Result)` say what goes in and what comes out; each function has such a text.
+`help(bem_contact.solve)` and `help(bem_contact.Result)` say what goes in and what comes out; each function and class has such a text.
+Classes: Result, Sequence, Table, Sweep, Profile, Error, InputError, ConvergenceError.
 """
+# Without a list __all__: with it, help() would print what the classes inherit, 600 lines, before the functions.
 
 from .cases import Sweep
 from .plotting import plot
@@ -44,6 +46,3 @@ except ModuleNotFoundError as missing:
             f"the compiled part of bem_contact is missing (it was not built, or not for this Python {sys.version_info.major}."
             f"{sys.version_info.minor}) Call cmake --build --preset full --target bem_contact_python, and use "
             "/usr/bin/python3.", name=f"{__name__}._core")
-
-__all__ = ["ConvergenceError", "Error", "InputError", "Profile", "Result", "Sequence", "Sweep", "Table", "__commit__", "__version__", "check", "compare", "conicity",
-           "creep_curves", "fatigue", "plot", "profile", "read_table", "report", "solve", "standards", "sweep", "table", "wear", "wheelset"]
