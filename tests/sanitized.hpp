@@ -7,7 +7,7 @@
 /// hundreds that are alike. The half of tools/test without sanitizers runs all.
 namespace tests {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef CONFORMAL_SANITIZED
 inline constexpr bool sanitized = true;
 #else
 inline constexpr bool sanitized = false;

@@ -354,7 +354,7 @@ TEST(C, HandlesWorkSideBySide) {
 
 /// Bytes in use after many calls are those after a few.
 TEST(C, MemoryDoesNotGrowWithTheNumberOfCalls) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef CONFORMAL_SANITIZED
   GTEST_SKIP() << "the sanitizer's allocator does not count";
 #endif
   const Handle contact = open_file(hertz);

@@ -13,7 +13,7 @@
 
 // Every allocation of the program, of Eigen and the standard library alike, passes here; FFTW's own buffers
 // do not. Sanitizers bring their own malloc.
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__GLIBC__) && !defined(CONFORMAL_SANITIZED)
 #define COUNTS_ALLOCATIONS 1
 namespace {
 std::atomic<long> allocations{0};

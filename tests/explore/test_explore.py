@@ -370,7 +370,8 @@ class Page(unittest.TestCase):
 
     def test_narrow_and_paper(self):
         picture = self.folder / "page.png"
-        self.show.screenshot(picture, 400)
+        self.show.of_width(400)
+        self.show.screenshot(picture)
         self.assertLessEqual(self.show.value("document.documentElement.scrollWidth"), 400)
         self.show.pdf(self.folder / "page.pdf")
         self.assertGreater((self.folder / "page.pdf").stat().st_size, 20_000)

@@ -110,13 +110,9 @@ class Installed(unittest.TestCase):
         flags = run("pkg-config", "--cflags", "--libs", "conformal_contact", env=environment).split()
         self.assertEqual(run("pkg-config", "--modversion", "conformal_contact", env=environment).strip(), VERSION)
         loader = os.environ | {"LD_LIBRARY_PATH": str(self.lib)}
-        for compiler, source, options in (("gcc", "client.c", ("-std=c89", "-pedantic", "-Werror")),
-                                          ("g++", "client.cpp", ("-std=c++20",)),
-                                          ("gfortran", "client.f90", (self.prefix / "include/conformal_contact.f90",))):
-            with self.subTest(source):
-                program = self.work / (source + ".out")
-                run(compiler, *options, CLIENTS / source, "-o", program, *flags, cwd=self.work)
-                self.check(program, env=loader)
+        program = self.work / "client.out"  # the page's lines compile those in C++ and Fortran
+        run("gcc", "-std=c89", "-pedantic", "-Werror", CLIENTS / "client.c", "-o", program, *flags, cwd=self.work)
+        self.check(program, env=os.environ | {"LD_LIBRARY_PATH": str(self.lib)})
 
     def test_the_program_and_its_pages(self):
         program = self.prefix / "bin" / "bem_contact"

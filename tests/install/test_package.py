@@ -16,7 +16,7 @@ class Package(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.temporary = tempfile.TemporaryDirectory()
-        run("cpack", "-G", "DEB", "--config", BUILD / "CPackConfig.cmake", "-B", cls.temporary.name)
+        run("cpack", "-G", "DEB", "-D", "CPACK_DEBIAN_COMPRESSION_TYPE=gzip", "--config", BUILD / "CPackConfig.cmake", "-B", cls.temporary.name)
         cls.package = next(Path(cls.temporary.name).glob("*.deb"))
 
     @classmethod

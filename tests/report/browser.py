@@ -17,6 +17,9 @@ FLAGS = ["--headless", "--no-sandbox", "--disable-gpu-sandbox", "--use-angle=swi
          "--disable-component-update", "--remote-debugging-pipe"]
 
 
+WIDE = 1400  # px
+
+
 class Browser:
     """One page at a time. `requests` has the address of everything that the page asked for."""
 
@@ -40,6 +43,7 @@ class Browser:
         self.session = self.call("Target.attachToTarget", {"targetId": target, "flatten": True})["sessionId"]
         self.call("Page.enable")
         self.call("Network.enable")
+        self.of_width(WIDE)
 
     def close(self):
         try:
@@ -90,8 +94,11 @@ class Browser:
             document.body?.dataset.drawn || document.querySelector("#script-errors li") ? done() : setTimeout(look, 50);
             look(); })""")
 
-    def screenshot(self, file, width=800):
+    def of_width(self, width):
+        """The screen's, px. Figures in 3-D are drawn anew, which takes seconds."""
         self.call("Emulation.setDeviceMetricsOverride", {"width": width, "height": 1000, "deviceScaleFactor": 1, "mobile": False})
+
+    def screenshot(self, file):
         data = self.call("Page.captureScreenshot", {"captureBeyondViewport": True})["data"]
         file.write_bytes(base64.b64decode(data))
 

@@ -72,10 +72,13 @@ endfunction()
 # What every test includes, compiled once and used by all test programs.
 if(CONFORMAL_TESTS)
   file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/test_headers.cpp CONTENT "")
-  # Linked after the rooms, so that its options come last: it is the rooms that are checked for undefined behaviour.
+  # Linked after the rooms, so that its options come last: it is the rooms that are checked, not their tests.
   add_library(conformal_test_options INTERFACE)
   if(CONFORMAL_SANITIZE)
-    target_compile_options(conformal_test_options INTERFACE -fno-sanitize=undefined)
+    target_compile_definitions(conformal_test_options INTERFACE CONFORMAL_SANITIZED)
+    if(CONFORMAL_SANITIZERS MATCHES "address")
+      target_compile_options(conformal_test_options INTERFACE -fno-sanitize=all -g0)
+    endif()
   endif()
   if(CMAKE_UNITY_BUILD)
     # Several sources at once take a third of the time. Helpers of one room's tests need different names, and a local
@@ -94,7 +97,14 @@ endif()
 #   SOURCES    without it: every source of the folder
 #   SOLVERS    sources that compute much themselves. The others are not optimised: they call the rooms,
 #              and compile in half the time.
+# These test programs read bytes and text. The preset sanitize runs all of their tests, so that they need no second run
+# (CONFORMAL_TESTS_ONCE).
+set(conformal_tests_under_sanitizers test_base test_record test_profile test_influence test_scene test_c test_explore)
+
 function(conformal_test name)
+  if(CONFORMAL_TESTS_ONCE AND name IN_LIST conformal_tests_under_sanitizers)
+    return()
+  endif()
   cmake_parse_arguments(ARG "" "" "SOURCES;SOLVERS;ROOMS;LIBRARIES" ${ARGN})
   if(NOT ARG_SOURCES)
     file(GLOB ARG_SOURCES CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.cpp)
