@@ -31,8 +31,6 @@ constexpr OneWheelKey of_one_wheel[] = {
     {"motion.wheel_roll_rate", deviates, rigid},
     {"motion.wheel_pitch_rate", deviates, rigid},
     {"motion.wheel_yaw_rate", deviates, rigid},
-    {"rail.roller_radius", "a wheelset is balanced on straight rails alone",
-     "Leave it out, or give a load in place of [wheelset]."},
     {"load.force", "it is the force on one wheel, and both share wheelset.force", shared},
     {"load.approach", "both wheels approach their rails by what wheelset.force asks for", shared},
     {"load.force_x", "it is the force on one wheel", "Give wheelset.torque."},

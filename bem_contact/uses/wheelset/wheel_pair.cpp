@@ -42,7 +42,33 @@ Wrench mirrored(Wrench w) {
   return w;
 }
 
-Wrench wrench_of(const SceneResult& result, Point2 centre) {
+namespace {
+
+/// The sum over the elements: each half-plane through the roller's axis is turned to where it is.
+Wrench wrench_on_roller(const SceneResult& result, Point2 centre, const Roller& roller) {
+  Wrench out;
+  const ContactGrid& grid = result.problem.grid;
+  const double area = result.problem.element_area();
+  for (int i = 0; i < grid.size(); ++i) {
+    if (!(result.result.pn[i] > 0))
+      continue;
+    const ContactRow& row = result.problem.rows[i / grid.mx];
+    const double x = grid.x(i % grid.mx);
+    const Point2 across =
+        area * (result.result.ps[i] * tangent_of(row.delta) + result.result.pn[i] * normal_of(row.delta));
+    const Vector3 force =
+        Roller::seen(Vector3{area * result.result.px[i], across.y, across.z}, -roller.angle(x, row.position));
+    const Vector3 at = roller.in_space(x, row.position);
+    out += wrench_at(force, {at[0], at[1] - centre.y, at[2] - centre.z});
+  }
+  return out;
+}
+
+} // namespace
+
+Wrench wrench_of(const SceneResult& result, Point2 centre, const std::optional<Roller>& roller) {
+  if (roller)
+    return wrench_on_roller(result, centre, *roller);
   const auto [fx, fy, fz, mx, my, mz] =
       force_and_moment(result.problem, result.result, result.problem.rows, centre);
   return {{fx, fy, fz}, {mx, my, mz}};
@@ -117,8 +143,11 @@ WheelsetState WheelPair::at(const WheelsetPose& pose) {
   tell_choice(right_choice_, out.right);
   tell_choice(left_choice_, out.left);
   const double height = pose.vertical - radius;
-  out.right_wrench = wrench_of(out.right, {pose.lateral, height});
-  out.left_wrench = mirrored(wrench_of(out.left, {-pose.lateral, height}));
+  std::optional<Roller> roller;
+  if (scene_.position.roller_radius > 0)
+    roller = Roller{scene_.position.roller_radius + scene_.position.rail_vertical};
+  out.right_wrench = wrench_of(out.right, {pose.lateral, height}, roller);
+  out.left_wrench = mirrored(wrench_of(out.left, {-pose.lateral, height}, roller));
   return out;
 }
 

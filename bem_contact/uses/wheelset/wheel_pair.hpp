@@ -32,8 +32,9 @@ Wrench wrench_at(const Vector3& force, const Vector3& arm);
 Wrench mirrored(Wrench w);
 
 /// Sums of all tractions of a result in the track frame of its side (of a left wheel: y to the left), about
-/// `centre` (y, z in that frame; x = 0), mm.
-Wrench wrench_of(const SceneResult& result, Point2 centre);
+/// `centre` (y, z in that frame; x = 0), mm. `roller`: on which it is solved, unrolled; the sums are those in
+/// space.
+Wrench wrench_of(const SceneResult& result, Point2 centre, const std::optional<Roller>& roller = {});
 
 /// Where a wheelset stands, in the track frame. Its mirror image has lateral, roll and yaw of other sign.
 struct WheelsetPose {

@@ -1,6 +1,8 @@
+#include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/uses/wheelset/equilibrium_finder.hpp"
 #include "bem_contact/uses/wheelset/quantities.hpp"
+#include "tests/geometry/brute_force.hpp"
 #include "tests/uses/wheelset/scenes.hpp"
 
 #include <fmt/format.h>
@@ -82,6 +84,60 @@ TEST(Wheelset, MirrorImages) {
   const char* other = "position.lateral = -3\nposition.yaw = -2e-3\nwheelset.roll_moment = -1e7\n"
                       "wheelset.torque = 2e6\nmotion.speed = 2e4\nmotion.lateral_velocity = -10\n";
   expect_mirror_images(solve_wheelset(standard(one)), solve_wheelset(standard(other)));
+}
+
+/// So it is on two rollers of a rig, whose speed is given.
+TEST(Wheelset, MirrorImagesOnRollers) {
+  const std::string both = "rail.roller_radius = 500\nmotion.speed = 2e4\nmotion.roller_speed = 40\n";
+  const WheelsetResult one = solve_wheelset(standard(
+                           both + "position.lateral = 5\nposition.yaw = 6e-3\nwheelset.roll_moment = 1e7\n")),
+                       other = solve_wheelset(standard(
+                           both +
+                           "position.lateral = -5\nposition.yaw = -6e-3\nwheelset.roll_moment = -1e7\n"));
+  expect_mirror_images(one, other);
+  EXPECT_NEAR(of_wheelset(one, "Fz"), 2e5, 1);
+  EXPECT_NEAR(of_wheelset(one, "torque"), 0, 1e-6 * 2e5 * 460);
+}
+
+/// Large rollers are the track.
+TEST(Wheelset, LargeRollersAreTheTrack) {
+  const std::string both = "position.lateral = 3\nposition.yaw = 2e-3\nmotion.speed = 2e4\n";
+  const WheelsetResult track = solve_wheelset(standard(both)),
+                       rig = solve_wheelset(standard(both + "rail.roller_radius = 1e6\n"));
+  EXPECT_NEAR(rig.state.pose.roll, track.state.pose.roll, 1e-7);
+  EXPECT_NEAR(rig.state.pose.vertical, track.state.pose.vertical, 1e-3);
+  for (const WheelSide side : both_sides)
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_NEAR(rig.state.wrench(side).force[i], track.state.wrench(side).force[i], 5e-4 * 1e5) << i;
+}
+
+/// A yawed wheelset touches its rollers before and behind their tops. Each wheel stands where a search over
+/// both angles of the wheel above the circles of its roller lets it stand. Without friction the pressure has
+/// no moment about the axle and none about the axis of the rollers, because both are bodies of revolution.
+TEST(Wheelset, YawedOnRollersItStandsAsBodiesOfRevolutionDo) {
+  const TabulatedProfile rail(named_profile("60E1", ProfileKind::rail)),
+      wheel(named_profile("S1002", ProfileKind::wheel));
+  BruteForce brute(rail, wheel, 0.1);
+  SceneFile scene = standard("motion.frictionless = true\nposition.lateral = 5.5\nposition.yaw = 0.02\n"
+                             "rail.roller_radius = 400\n");
+  const WheelsetResult r = solve_wheelset(scene);
+  const WheelsetPose& pose = r.state.pose;
+  WheelPair wheels(scene);
+  for (const WheelSide side : both_sides) {
+    WheelsetPosition position = one_wheel(scene, side).position;
+    position.lateral = pose.lateral, position.roll = pose.roll;
+    const double found = brute.search(position, place(position, rail, wheel), 0.5).front().distance;
+    EXPECT_NEAR(wheels.lowered(side, pose.lateral, pose.roll), found, 2e-6);
+    EXPECT_NEAR(r.state.solved(side).result.approach, pose.vertical - found, 2e-6);
+    EXPECT_GT(std::abs(r.state.solved(side).reference.x), 0.5) << "yaw moves them";
+    const Wrench& w = r.state.wrench(side);
+    // The axis of the rollers: parallel to y through x = 0, so far below the axle.
+    const double below = 400 - (pose.vertical - 460);
+    EXPECT_NEAR(r.state.torque(w), 0, 0.02 * 460 * std::abs(w.force[0])) << "but for the elements";
+    EXPECT_NEAR(w.moment[1] - below * w.force[0], 0, 2e-5 * 400 * 1e5);
+    EXPECT_GT(std::abs(w.force[0]), 100) << "the normal leans";
+  }
+  EXPECT_NEAR(r.state.sum().force[2], 2e5, 1);
 }
 
 /// A curve to the left is the mirror image of one to the right.
