@@ -7,6 +7,8 @@ Before a table with numbers stands a comment that no reader sees:
 There is one name for each column of the table: that of a column of the files (b.Fy: of b.csv; else of the first), or - for what no
 file has. The first name finds the row. A cell with several numbers ("3 to 7 MPa") takes names with a slash between: low/high.
 Other tables say why nobody can compare them: <!-- not compared: REASON -->.
+
+Prose: a number with three digits or more in a sentence that begins with "You should see" is one that a command of the page has printed.
 """
 
 import csv
@@ -67,7 +69,7 @@ def faults_of(text, folder, left_out=frozenset()):
                 faults.append(f"no comment says where the numbers come from: {rows[0]}")
             continue
         files = re.findall(r"\S+\.csv", found[1])
-        if any(file in left_out for file in files):
+        if any(file == out or file.startswith(f"{out}/") for file in files for out in left_out):
             continue
         tables = {Path(file).stem: read(Path(folder) / file) for file in files}
         first = next(iter(tables))
@@ -83,6 +85,21 @@ def faults_of(text, folder, left_out=frozenset()):
                 values = [] if name == "-" else [value_in(tables, first, one, names[0], row[0]) for one in name.split("/")]
                 if None in values or (values and not same(cell, values)):
                     faults.append(f"'{cell}' in the row {row[0]} is not {name} = {values}")
+    return faults
+
+
+SEEN = re.compile(r"You should see\b.*?(?:[.:](?=\s|$)|\n\s*\n|\Z)", re.S)
+DIGITS_THAT_TELL = 3  # fewer are counts and roundings
+
+
+def prose_faults(text, printed):
+    """Numbers that a page says are to be seen, and that nothing printed has."""
+    found = [float(number) for line in printed for number in NUMBER.findall(line)]
+    faults = []
+    for sentence in SEEN.findall(re.sub(r"`[^`]*`|\([^)]*\.md[^)]*\)", "", text)):
+        for number in NUMBER.findall(sentence):
+            if len(re.sub(r"e.*|\D|^[-+0.]*", "", number)) >= DIGITS_THAT_TELL and not any(same(number, [value]) for value in found):
+                faults.append(f"no command has printed the {number} of '{' '.join(sentence.split())}'")
     return faults
 
 

@@ -146,10 +146,11 @@ class Pages(unittest.TestCase):
         self.run_text(page.name, page.read_text(), checked)
 
     def run_text(self, name, page, checked=True):
-        printed, left_out, text, waiting = [], set(), "", False
+        printed, left_out, text, waiting, prose = [], set(), "", False, ""
         for kind, content in blocks_of(page):
             if kind == "text":
                 text = " ".join(content)
+                prose += "" if waiting else "\n\n" + "\n".join(content)
             elif kind == "file":
                 for file in re.findall(r"[Ss]ave this as `(demo/\S+)`", text)[-1:]:
                     Path(file).write_text("\n".join(content) + "\n")
@@ -170,7 +171,7 @@ class Pages(unittest.TestCase):
                 for line in content:
                     if line.strip() != "..." and not any(same_line(line, found) for found in printed):
                         self.fail(f"{name}: no command has printed\n{line}\nbut\n" + "\n".join(printed))
-        self.assertEqual(page_tables.faults_of(page, self.folder, left_out), [], name)
+        self.assertEqual(page_tables.faults_of(page, self.folder, left_out) + page_tables.prose_faults(prose, printed), [], name)
 
     def test_every_page_is_as_it_says(self):
         for page in self.pages:
@@ -292,6 +293,11 @@ class Pages(unittest.TestCase):
         self.assertTrue(same_line("pmax 12.25 MPa, ... holds", "pmax 12.26 MPa, worst 3e-9, it holds"))
         for other in ("pmax 12.4 MPa, it holds", "pmax 12.25 N, it holds", "pmax 12.25 MPa, it fails"):
             self.assertFalse(same_line("pmax 12.25 MPa, ... holds", other))
+
+    def test_a_wrong_number_in_prose_is_found(self):
+        printed = ["pmax 1237.55 MPa, 0.1740 of it"]
+        self.assertEqual(page_tables.prose_faults("Run it. You should see 1238 MPa in 2 patches and .174, as `99.99` says. Not 555 MPa.", printed), [])
+        self.assertEqual(len(page_tables.prose_faults("You should see a pressure of 1257 MPa,\nand 0.174.", printed)), 1)
 
     def test_a_wrong_number_in_a_table_is_found(self):
         Path("demo/right.csv").write_text("lateral,pmax,low,high\n0.5,1756.1,3,7\n1,2000,4,4\n")
