@@ -132,6 +132,14 @@ TEST_F(FromContact, AWheelOnARail) {
   EXPECT_THAT(next, HasSubstr("position.lateral = 3"));
   EXPECT_THAT(next, HasSubstr("motion.pitch_rate = 43.4"));
   EXPECT_EQ(run("check '" + scene(1) + "'").code, 0);
+
+  std::string pulled = text; // F = 1: FX in the place of VPITCH
+  pulled.replace(pulled.find("1203100"), 7, "1203110");
+  pulled.replace(pulled.find("-43.4 "), 6, "5000. ");
+  pulled.replace(pulled.rfind(" 1 MODULE"), std::string::npos, " 0 MODULE\n");
+  ASSERT_EQ(convert(pulled).code, 0);
+  EXPECT_THAT(text_of(scene(1)), HasSubstr("load.force_x = 5000"));
+  EXPECT_THAT(text_of(scene(1)), HasSubstr("FX along the axis of a wheelset that is yawed by"));
 }
 
 /// What would be another problem has no scene, with the digit that says so; the other cases have.

@@ -9,9 +9,10 @@
 #include <fmt/format.h>
 #include <optional>
 
-// What stands where in the file: as CONTACT itself reads it (E.A.H. Vollebregt, CONTACT, open source, the
-// reader of its input file). Signs of the rail's cant and of FX in module 1 are those of that program's
-// examples.
+// What stands where in the file: as CONTACT itself reads it (E.A.H. Vollebregt, CONTACT, open source,
+// github.com/eve70a/CONTACT: src/m_wr_input.f90, m_sinput.f90 and the examples). Its CANT turns the right
+// rail by -CANT about x, and the left one as its mirror image: towards the track's centre if it is above 0.
+// Its forces are those on the rail; FX of module 1 lies along the wheelset's own x axis.
 namespace bem_contact::app {
 
 namespace {
@@ -352,13 +353,22 @@ private:
       set("motion.pitch_rate",
           -v[5]); // about y, to the right: a wheel that rolls forwards turns the other way
     else if (d_.force == 1)
-      set("load.force_x", v[5]);
+      set_force_along(v[5]);
     else
       refuse("F = 2: a moment on the axle; [wheelset] torque is of both wheels");
     if (d_.tang == 1)
       for (const char* key : {"motion.speed", "motion.lateral_velocity", "motion.vertical_velocity",
                               "motion.roll_rate", "motion.yaw_rate", "motion.pitch_rate"})
         out_.keys.erase(key); // a shift has none
+  }
+
+  void set_force_along(double force) {
+    set("load.force_x", force);
+    if (const double yaw = number("position.yaw"); yaw != 0)
+      leave(
+          fmt::format("FX along the axis of a wheelset that is yawed by {:g} rad: load.force_x is along the "
+                      "track, and differs by the yaw times the lateral force",
+                      yaw));
   }
 
   void read_flexibility() {
