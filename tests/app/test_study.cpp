@@ -1,10 +1,15 @@
 #include "bem_contact/h5/table.hpp"
 #include "tests/app/run_program.hpp"
+#include "tests/sanitized.hpp"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <set>
+#include <sys/wait.h>
+#include <thread>
 
 namespace {
 
@@ -110,6 +115,89 @@ TEST_F(Study, OfAWheelset) {
   EXPECT_EQ(number("parts/fatigue/yield_shear"), 350);
   EXPECT_NEAR(number("parts/fatigue/patches/pmax") / number("parts/wheelset/right/track/pmax"), 1, 1e-3);
   EXPECT_NEAR(number("parts/wear/right/T_gamma") / number("parts/wheelset/right/track/T_gamma"), 1, 1e-6);
+}
+
+/// The influence files come from a program of the scene, once; then models are compared with them.
+TEST_F(Study, WithInfluenceFiles) {
+  NEEDS_NO_SANITIZER(); // the numbers of a comparison
+  const std::string shipped = CONFORMAL_SOURCE_DIR "/data/influence/small_";
+  write("rail.toml", "[body]\nkind = \"rail\"\nprofile = \"60E1\"\n");
+  write("wheel.toml", "[body]\nkind = \"wheel\"\nprofile = \"S1002\"\n");
+  const std::filesystem::path program = write("copy.sh", "#!/bin/sh\necho \"$1\" >> \"$2.calls\"\nexec cp " +
+                                                             shipped + "\"$(basename \"$2\")\" \"$2\"\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const std::string scene =
+      "rail = { profile = \"60E1\", influence = \"rail.h5\" }\nwheel = { profile = \"S1002\", influence = "
+      "\"wheel.h5\" }\nposition.lateral = 6.6\nload.force = 1e5\ngrid = { dx = 1.0, ds = 1.0 }\n";
+  const std::string tables = "[compare]\nmodels = [\"halfspace\", \"fem\"]\n[influence]\nrail = "
+                             "\"rail.toml\"\nwheel = \"wheel.toml\"\nprogram = \"" +
+                             program.string() + "\"\n";
+  const std::string file = write("case.toml", scene + tables).string();
+  const Outcome done = run("study " + file + " -o " + path("out"));
+  ASSERT_EQ(done.code, 0) << done.out << done.err;
+  EXPECT_THAT(done.out, HasSubstr("influence     done"));
+  const auto pressure = [](const H5Table& in, const std::string& model, const std::string& group = "") {
+    return in.datasets.at(group + "at_equal_forces/" + model + "/quantities/pmax").values.at(0);
+  };
+  ASSERT_EQ(run("compare " + file + " -o " + path("alone.h5")).code, 0);
+  const H5Table all = answers(), alone = read_h5(folder_ / "alone.h5");
+  for (const std::string model : {"halfspace", "fem"})
+    EXPECT_NEAR(pressure(all, model, "parts/compare/") / pressure(alone, model), 1, 1e-9) << model;
+  EXPECT_LT(pressure(all, "fem", "parts/compare/"), pressure(all, "halfspace", "parts/compare/"));
+  EXPECT_THAT(text_of(folder_ / "out" / "study.csv"), HasSubstr("at_equal_forces/fem/quantities/pmax,"));
+  EXPECT_THAT(run("study " + file + " -o " + path("out")).out, ContainsRegex("influence +done +as it was"));
+  const std::string calls = text_of(folder_ / "rail.h5.calls");
+  EXPECT_EQ(std::count(calls.begin(), calls.end(), '\n'), 1);
+}
+
+/// A program that makes no influence file and says nothing in our words; the other parts go on.
+TEST_F(Study, SaysWhichInfluenceFileIsMissing) {
+  const std::string scene = wheel_on_rail + "rail.influence = \"none.h5\"\n[influence]\nrail = "
+                                            "\"rail.toml\"\nprogram = \"false\"\n";
+  const Outcome done = run("study " + write("case.toml", scene).string() + " -o " + path("out"));
+  EXPECT_THAT(done.out, ContainsRegex("influence +failed"));
+  EXPECT_THAT(done.out,
+              ContainsRegex("There is no influence file '.*none.h5' \\(false .*rail.toml ended with "
+                            "exit code 1\\)"));
+  EXPECT_THAT(done.out, ContainsRegex("solve +done"));
+  EXPECT_EQ(done.code, 1); // that of the program
+}
+
+/// Killed in the middle, it goes on: what was whole stays, the rest is computed, and all is as in one go.
+TEST_F(Study, GoesOnAfterAKill) {
+  NEEDS_NO_SANITIZER();
+  const std::string tables =
+      "[conicity]\nto = 3\n[creep_curves]\nxi = \"-3e-3:3e-3:31\"\neta = \"-3e-3:3e-3:31\"\n";
+  const std::string file = write("case.toml", wheel_on_rail + tables).string();
+  const std::string out = (folder_ / "out").string();
+  const std::filesystem::path parts = folder_ / "out" / "parts";
+  const pid_t process = fork();
+  ASSERT_GE(process, 0);
+  if (process == 0) {
+    std::freopen("/dev/null", "w", stderr);
+    std::freopen("/dev/null", "w", stdout);
+    execl(BEM_CONTACT, BEM_CONTACT, "study", file.c_str(), "-o", out.c_str(), nullptr);
+    _exit(127);
+  }
+  for (int wait = 0; wait < 60000 && !std::filesystem::exists(parts / "creep_curves.json"); ++wait)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  kill(process, SIGKILL);
+  waitpid(process, nullptr, 0);
+  ASSERT_FALSE(std::filesystem::exists(folder_ / "out" / "study.h5"));
+  ASSERT_TRUE(std::filesystem::exists(parts / "creep_curves.json")); // it had begun
+  const auto when = [&](const char* part) {
+    return std::filesystem::last_write_time(parts / (std::string(part) + ".h5"));
+  };
+  const auto solved = when("solve"), steered = when("conicity");
+  const Outcome done = run("study " + file + " -o " + path("out"));
+  ASSERT_EQ(done.code, 0) << done.out << done.err;
+  EXPECT_EQ(when("solve"), solved);
+  EXPECT_EQ(when("conicity"), steered);
+  EXPECT_THAT(done.out, ContainsRegex("solve +done +as it was"));
+  EXPECT_THAT(done.out, ContainsRegex("conicity +done +as it was"));
+  EXPECT_THAT(done.out, Not(ContainsRegex("creep_curves +done +as it was")));
+  ASSERT_EQ(run("study " + file + " -o " + path("whole")).code, 0);
+  EXPECT_EQ(text_of(folder_ / "whole" / "study.csv"), text_of(folder_ / "out" / "study.csv"));
 }
 
 /// The load scatters by 10 %, so Hertz's largest pressure scatters by a third of that.

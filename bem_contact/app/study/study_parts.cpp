@@ -194,6 +194,10 @@ private:
         const LineOutcome line = run_other({study_.influence.program, body, file}, beside("txt"), said);
         out.errors.insert(out.errors.end(), line.errors.begin(), line.errors.end());
         out.code = std::max(out.code, line.code == 0 && !file_exists(file) ? int(unforeseen) : line.code);
+        if (line.errors.empty() && !file_exists(file)) // a program of others need not say it in our words
+          out.errors.push_back(fmt::format("There is no influence file '{}' ({} {} ended with exit code {}) "
+                                           "Look at what it said above, or call it alone.",
+                                           file, study_.influence.program, body, line.code));
       }
     } catch (const InputError& error) {
       out.code = wrong_input;
