@@ -2,7 +2,6 @@
 
 #include "bem_contact/base/error.hpp"
 
-#include <linux/magic.h>
 #include <sys/stat.h>
 #include <sys/vfs.h>
 #include <unistd.h>
@@ -28,6 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr auto proc_file_system = 0x9fa0;      // PROC_SUPER_MAGIC of linux/magic.h
 constexpr int most_links = 40;                 // as many as Linux follows
 constexpr const char* temporary_mark = ".tmp"; // then comes the number of the process
 
@@ -48,7 +48,7 @@ fs::path folder_of(const fs::path& file) {
 /// Names such as /proc/self/fd/1 stand for something open, which has no other name.
 bool stands_for_something_open(const fs::path& link) {
   struct statfs system {};
-  return statfs(folder_of(link).c_str(), &system) == 0 && system.f_type == PROC_SUPER_MAGIC;
+  return statfs(folder_of(link).c_str(), &system) == 0 && system.f_type == proc_file_system;
 }
 
 /// The end of a chain of links, which need not exist. Nothing if it has no end.

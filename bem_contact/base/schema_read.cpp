@@ -1,4 +1,5 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/number_text.hpp"
 #include "bem_contact/base/schema.hpp"
 #include "bem_contact/base/schema_text.hpp"
 #include "bem_contact/base/toml.hpp"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -209,14 +209,12 @@ std::optional<double> fraction_of(std::string_view text) {
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   };
   const auto number = [&]() -> std::optional<double> {
-    double value = 0;
     if (text.empty() || !std::isdigit(static_cast<unsigned char>(text.front())))
       return std::nullopt;
-    const auto [rest, error] =
-        std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
-    text.remove_prefix(static_cast<std::size_t>(rest - text.data()));
+    const std::string_view digits = text.substr(0, text.find_first_not_of("0123456789."));
+    text.remove_prefix(digits.size());
     skip_blanks();
-    return error == std::errc() ? std::optional(value) : std::nullopt; // hundreds of digits are no number
+    return number_of_text(digits); // hundreds of digits are no number
   };
   skip_blanks();
   const bool negative = text.starts_with('-');

@@ -2,12 +2,12 @@
 
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/number_text.hpp"
 #include "bem_contact/base/toml.hpp"
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/scene/case_table.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -29,9 +29,7 @@ constexpr std::size_t many_scenes = 10'000;
 
 /// 6.3, not 6.300000000000001.
 double rounded(double value) {
-  const std::string text = fmt::format("{:.12g}", value);
-  std::from_chars(text.data(), text.data() + text.size(), value); // std::stod() follows the locale
-  return value;
+  return number_of_text(fmt::format("{:.12g}", value)).value_or(value);
 }
 
 struct Reader {

@@ -18,6 +18,19 @@ TEST(Sha256, OfATextAndOfAFile) {
     EXPECT_EQ(sha256_of_file(folder.write("file", text).string()), digest);
     EXPECT_EQ(sha256(text).size(), sha256_size);
   }
+  // Around whole blocks; by sha256sum of GNU coreutils.
+  for (const auto& [size, digest] :
+       {std::pair<std::size_t, const char*>{
+            0, "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"},
+        {55, "9f4390f8d30c2dd92ec9f095b65e2b9ae9b0a925a5258e241c9f1e910f734318"},
+        {56, "b35439a4ac6f0948b6d6f9e3c6af0f5f590ce20f1bde7090ef7970686ec6738a"},
+        {64, "ffe054fe7ae0cb6dc65c3af9b61d5209f439851db43d0ba5997337df154668eb"},
+        {119, "31eba51c313a5c08226adf18d4a359cfdfd8d2e816b13f4af952f7ea6584dcfb"}})
+    EXPECT_EQ(sha256(std::string(size, 'a')), digest) << size;
+  const std::string whole(100, 'c'); // in pieces, empty ones too
+  EXPECT_EQ(
+      sha256({std::as_bytes(std::span(whole).first(7)), {}, std::as_bytes(std::span(whole).subspan(7))}),
+      sha256(whole));
   const std::string two(1 << 21, 'b'); // more than one piece
   EXPECT_EQ(sha256_of_file(folder.write("two", two).string()), sha256(two));
 }

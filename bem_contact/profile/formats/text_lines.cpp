@@ -1,11 +1,11 @@
 #include "bem_contact/profile/formats/text_lines.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/number_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace bem_contact {
@@ -40,9 +40,7 @@ std::string_view without_comment(std::string_view line) {
 std::optional<double> parse_number(std::string_view word) {
   if (word.starts_with('+') && !word.starts_with("+-"))
     word.remove_prefix(1);
-  double value = 0;
-  const auto [stop, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return problem == std::errc{} && stop == word.data() + word.size() ? std::optional(value) : std::nullopt;
+  return number_of_text(word);
 }
 
 std::vector<double> numbers_of(std::string_view line) {

@@ -1,9 +1,9 @@
 #include "bem_contact/profile/standards/en13715_wheel.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/number_text.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -64,9 +64,8 @@ std::optional<En13715Wheel> parse_en13715_wheel(std::string_view words) {
     const auto end = std::min(words.find_first_not_of("0123456789.,"), words.size());
     std::string text(words.substr(0, end));
     std::ranges::replace(text, ',', '.');
-    double value = 0;
-    const auto [stop, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (problem != std::errc{} || stop != text.data() + text.size())
+    const std::optional<double> value = number_of_text(text);
+    if (!value)
       return std::nullopt;
     words.remove_prefix(end);
     if (slope) {
@@ -74,11 +73,11 @@ std::optional<En13715Wheel> parse_en13715_wheel(std::string_view words) {
       if (percent == std::string_view::npos || words[percent] != '%')
         return std::nullopt;
       words.remove_prefix(percent + 1);
-      wheel.slope = value;
+      wheel.slope = *value;
     } else if (letter == 'h' || letter == 'H') {
-      wheel.height = value;
+      wheel.height = *value;
     } else if (letter == 'e' || letter == 'E') {
-      wheel.thickness = value;
+      wheel.thickness = *value;
     } else {
       return std::nullopt;
     }

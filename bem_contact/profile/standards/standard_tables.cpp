@@ -2,12 +2,12 @@
 
 #include "bem_contact/base/conventions.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/number_text.hpp"
 #include "bem_contact/profile/settings.hpp"
 #include "bem_contact/profile/standards/standard_files.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -79,11 +79,10 @@ private:
   }
 
   double number(std::string_view text) const {
-    double value = 0;
-    const auto [stop, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (problem != std::errc{} || stop != text.data() + text.size())
+    const std::optional<double> value = number_of_text(text);
+    if (!value)
       refuse_row(profile_, row_, fmt::format("has '{}' where a number belongs", text));
-    return value;
+    return *value;
   }
 
   std::vector<double> polynomial(std::string_view name) const {

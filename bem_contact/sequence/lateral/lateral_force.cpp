@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace bem_contact {
 
@@ -77,7 +78,7 @@ LateralSample narrow_lateral(const LateralForce& force, double wanted, const Lat
   const auto enough = [&](double a, double b) {
     return misses(best) <= tolerance || std::abs(b - a) < width;
   };
-  auto calls = boost::math::policies::get_max_root_iterations<boost::math::policies::policy<>>();
+  std::uintmax_t calls = boost::math::policies::get_max_root_iterations<boost::math::policies::policy<>>();
   if (misses(best) > tolerance && low.lateral < high.lateral) {
     try {
       boost::math::tools::toms748_solve(excess, low.lateral, high.lateral, low.force - wanted,
