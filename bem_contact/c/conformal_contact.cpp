@@ -194,8 +194,8 @@ int conformal_model(conformal_contact* handle, const char** name, const char** r
   return with(handle, [&] {
     require(name && reason, "the name or the reason");
     const SceneResult& result = result_of(handle);
-    *name = name_of(result.model).data(); // a literal
-    *reason = result.why_this_model.c_str();
+    *name = name_of(result.choice.model).data(); // a literal
+    *reason = result.choice.why_this_model.c_str();
   });
 }
 

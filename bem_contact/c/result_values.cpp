@@ -56,9 +56,7 @@ template <class Entries, class... Of> auto values_of_entries(const Entries& all,
 }
 template <class Entries, class... Of> auto errors_of_entries(const Entries& all, const Of&... of) {
   std::array<double, std::tuple_size_v<Entries>> out{};
-  std::ranges::transform(all, out.begin(), [&](const auto* entry) {
-    return entry->error ? entry->error(of...) : unknown_error;
-  });
+  std::ranges::transform(all, out.begin(), [&](const auto* entry) { return entry->measured(of...).error; });
   return out;
 }
 

@@ -37,8 +37,8 @@ const char* Certificate::worst_name() const {
   return worst_of(*this).name;
 }
 
-double Discretisation::moment_error(const ContactResult& result, double x, double y) const {
-  const double change = (result.Mz - coarse.Mz) + y * (result.Fx - coarse.Fx) - x * (result.Fy - coarse.Fy);
+double Discretisation::moment_error(const ContactTotals& totals, double x, double y) const {
+  const double change = (totals.Mz - coarse.Mz) + y * (totals.Fx - coarse.Fx) - x * (totals.Fy - coarse.Fy);
   return moment_change * std::abs(change) + local_moment;
 }
 
@@ -51,13 +51,6 @@ std::vector<double> friction_work_density(const ContactResult& result) {
   for (std::size_t i = 0; i < result.slip_x.size(); ++i)
     power[i] = result.px[i] * result.slip_x[i] + result.ps[i] * result.slip_s[i];
   return power;
-}
-
-double T_gamma(const ContactResult& result, double element_area) {
-  double sum = 0;
-  for (const double power : friction_work_density(result))
-    sum += power * element_area;
-  return sum;
 }
 
 std::array<double, 6> force_and_moment(const ContactProblem& problem, const ContactResult& result,
@@ -84,20 +77,6 @@ double friction_bound(const ContactProblem& problem, const ContactResult& result
   for (int i = 0; i < problem.grid.size() && problem.has_friction(); ++i)
     sum += problem.friction_of(i / problem.grid.mx) * result.pn[i];
   return sum * problem.element_area();
-}
-
-double largest_pressure(const ContactResult& result) {
-  double largest = 0;
-  for (const PatchSummary& p : result.patches)
-    largest = std::max(largest, p.pmax);
-  return largest;
-}
-
-double contact_area(const ContactResult& result) {
-  double area = 0;
-  for (const PatchSummary& p : result.patches)
-    area += p.area;
-  return area;
 }
 
 ElementCounts count_elements(const ContactResult& result) {

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "bem_contact/base/measured.hpp"
 #include "bem_contact/contact/problem.hpp"
 
 #include <array>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,42 +56,31 @@ struct Certificate {
   bool holds() const { return worst() <= tolerance; }
 };
 
-/// Stands for an error that is not known.
-inline constexpr double unknown_error = std::numeric_limits<double>::quiet_NaN();
-
-/// Some totals of a ContactResult, as it has them.
-struct ContactTotals {
-  double Fx = 0, Fy = 0, Fz = 0, Mz = 0, approach = 0; ///< N, N mm, mm
-  double creepage_x = 0, creepage_s = 0;               ///< found for prescribed forces
-};
-
-struct ContactResult;
-
-/// Absolute errors of the totals that the size of the elements is estimated to cause, each in the unit of its
-/// number. 0: the number is prescribed. nan: no number can be given.
+/// The numbers of a whole contact, each with its stated error where one is ever stated: the error that the
+/// size of the elements is estimated to cause (check/error_estimates.hpp).
 ///
-/// Meaning: the result on elements of vanishing size lies within number +- error in about 95 of 100 cases,
-/// and in the median case the stated error is two to five times the true one. Figures of each number are in
-/// tools/BENCHMARKS.md, section 9.
-struct TotalErrors {
-  double Fx = unknown_error, Fy = unknown_error, Fz = unknown_error, Fs = unknown_error; ///< N
-  double approach = unknown_error;                                                       ///< mm
-  double creepage_x = unknown_error, creepage_s = unknown_error; ///< as ContactResult has them
-  double pmax = unknown_error;                                   ///< largest_pressure(), MPa
-  double area = unknown_error;                                   ///< contact_area(), mm^2
-  double adhesion_share = unknown_error; ///< elements in adhesion over those in contact
-  double T_gamma = unknown_error;        ///< T_gamma(), N (shift: N mm)
-  /// Largest of SurfaceTemperatures, degrees C.
-  double highest_rail_temperature = unknown_error, highest_wheel_temperature = unknown_error;
-};
-
-/// Holds the errors of the numbers of PatchSummary. They are nan too where the coarser elements have other
-/// patches.
-struct PatchErrors {
-  double fn = unknown_error, fx = unknown_error, fs = unknown_error;          ///< N
-  double fy = unknown_error, fz = unknown_error;                              ///< N
-  double moment_n = unknown_error, T_gamma = unknown_error;                   ///< N mm; N (shift: N mm)
-  double overlap = unknown_error, pmax = unknown_error, area = unknown_error; ///< mm, MPa, mm^2
+/// Meaning of the errors: the result on elements of vanishing size lies within number +- error in about 95 of
+/// 100 cases, and in the median case the stated error is two to five times the true one. Figures of each
+/// number are in tools/BENCHMARKS.md, section 9.
+struct ContactTotals {
+  /// These are the forces on the rail, N, in the frame of the rows: the track frame of a wheel on a rail, a
+  /// patch's own frame (profile/contact_row.hpp).
+  Measured Fx, Fy, Fz;
+  /// About the z axis of that frame, not about the contact, N mm. Its error depends on the axis:
+  /// Discretisation::moment_error().
+  double Mz = 0;
+  Measured Fs;                     ///< sum p_s cos(delta - reference_delta) dS, N
+  Measured approach;               ///< q, mm
+  Measured creepage_x, creepage_s; ///< found for force_x, force_s (shift: mm); part of the slip
+  /// Derivatives of creepage_x by force_x and of creepage_s by force_s, while the pressure does not change:
+  /// 1/N (shift: mm/N). nan if the force is not prescribed, or if no Newton step computed them.
+  double compliance_x = unknown_error, compliance_s = unknown_error;
+  Measured pmax;           ///< largest pressure, MPa
+  Measured area;           ///< in contact, mm^2
+  Measured adhesion_share; ///< elements in adhesion over those in contact; 0 without contact
+  Measured T_gamma;        ///< power of friction: sum of friction_work_density() dS, N (shift: N mm)
+  /// Highest of SurfaceTemperatures, degrees C; nan: the problem has no `heating`.
+  Measured Tmax_rail{unknown_error}, Tmax_wheel{unknown_error};
 };
 
 /// Estimate of the error that the size of the elements causes, from the same problem on elements twice as
@@ -117,9 +106,6 @@ struct Discretisation {
   /// Error of the moment of p_t about the centre of pressure, over sum mu p_n r dS, r the distance from it.
   double moment = 0;
 
-  TotalErrors errors;               ///< absolute
-  std::vector<PatchErrors> patches; ///< of ContactResult::patches, in their order
-  double coarse_pmax = 0;           ///< pmax of the companion, MPa
   /// False: the field depends on the elements so much that no error can be told, and every one is nan. A
   /// profile with noise or a kink is not resolved, or a peak is narrower than three elements.
   bool converges = true;
@@ -129,30 +115,32 @@ struct Discretisation {
   double local_moment = unknown_error;  ///< the local part of moment_error() (error_estimates.hpp), N mm
 
   /// Absolute error of the moment about the vertical axis through x and y (mm, frame of the rows), N mm.
-  /// `result`: the one that this estimate is of.
-  double moment_error(const ContactResult& result, double x, double y) const;
+  /// `totals`: those of the result that this estimate is of.
+  double moment_error(const ContactTotals& totals, double x, double y) const;
 
   /// The largest of the four relative errors.
   double worst() const { return std::max({approach, normal, tangential, moment}); }
 };
 
-/// A patch: connected elements in contact.
+/// A patch: connected elements in contact. Errors are as those of ContactTotals. They are nan too where the
+/// coarser elements have other patches.
 struct PatchSummary {
   /// N. Sums over the patch of p_n dS, p_x dS and p_s dS, as numbers: the directions n and s may turn from
   /// row to row.
-  double fn = 0, fx = 0, fs = 0;
-  double overlap = 0;                      ///< largest q cos(delta) - h in the patch, mm
-  double pmax = 0;                         ///< MPa
-  double area = 0;                         ///< mm^2
+  Measured fn, fx, fs;
+  Measured overlap;                        ///< largest q cos(delta) - h in the patch, mm
+  Measured pmax;                           ///< MPa
+  Measured area;                           ///< mm^2
   int contact = 0, adhesion = 0, slip = 0; ///< element counts
   double x = 0, s = 0;                     ///< centre of pressure: x of the grid, arc length of the rows, mm
   Point2 position;                         ///< of that centre on the rows, frame of the rows, mm
   double delta = 0;                        ///< inclination there, rad
-  double fy = 0, fz = 0;                   ///< on the rail, N, frame of the rows
+  Measured fy, fz;                         ///< on the rail, N, frame of the rows
   /// These are the moments on the rail about that centre, N mm: about x, and about the directions s and n
   /// there.
-  double moment_x = 0, moment_s = 0, moment_n = 0;
-  double T_gamma = 0; ///< as T_gamma() of the whole result, N (shift: N mm)
+  double moment_x = 0, moment_s = 0;
+  Measured moment_n; ///< see there
+  Measured T_gamma;  ///< as ContactTotals::T_gamma, N (shift: N mm)
   /// Semi-axes of the ellipse whose Hertzian pressure has the second moments of this pressure, mm: `a` of the
   /// axis nearest to x, turned from x towards s by `axis_angle` (-pi/4 .. pi/4), rad. Plane strain: b is half
   /// the width of such a strip, and a is nan.
@@ -171,8 +159,8 @@ struct Displacements {
   std::vector<double> ux, us, un; ///< along x, s and n
 };
 
-/// The solution of one contact problem. Fields: [ms][mx], as ContactGrid has its elements.
-struct ContactResult {
+/// The solution itself. Fields: [ms][mx], as ContactGrid has its elements.
+struct ContactFields {
   std::vector<double> px, ps, pn; ///< tractions on the rail, MPa; fields
   /// Slip per unit of rolled distance (shift: mm), with all parts: rigid, found creepage, elastic; fields.
   std::vector<double> slip_x, slip_s;
@@ -180,26 +168,22 @@ struct ContactResult {
   std::vector<ElementState> state;                 ///< field
   Displacements displacements;                     ///< empty unless SolverOptions::displacements
   std::optional<SurfaceTemperatures> temperatures; ///< where the problem has `heating`
-  double approach = 0;                             ///< q, mm
-  /// These are the forces on the rail, N, in the frame of the rows: the track frame of a wheel on a rail, a
-  /// patch's own frame (profile/contact_row.hpp).
-  double Fx = 0, Fy = 0, Fz = 0;
-  double Mz = 0;                         ///< about the z axis of that frame, not about the contact, N mm
-  double Fs = 0;                         ///< sum p_s cos(delta - reference_delta) dS, N
-  double creepage_x = 0, creepage_s = 0; ///< found for force_x, force_s (shift: mm); part of the slip above
-  /// Derivatives of creepage_x by force_x and of creepage_s by force_s, while the pressure does not change:
-  /// 1/N (shift: mm/N). nan if the force is not prescribed, or if no Newton step computed them.
-  double compliance_x = unknown_error, compliance_s = unknown_error;
-  std::vector<PatchSummary> patches;            ///< largest force first
+};
+
+/// Whether a result is a solution, how near it is to that of vanishing elements, and what else speaks against
+/// it.
+struct Trust {
   Certificate certificate;                      ///< look at it first
   std::optional<Discretisation> discretisation; ///< nothing: not estimated
-  std::string why_no_errors; ///< why there is no `discretisation`, and what to do; "" where there is one
+  std::string why_no_errors;   ///< why there is no `discretisation`, and what to do; "" where there is one
+  bool touches_border = false; ///< contact at an edge of the grid: the potential contact is too small
+  bool ended_early = false;    ///< a rough solution, as SolverOptions::early_end wants it; not certified
+  std::string solver_note;     ///< why a solver of the chain gave up, or ""
+};
 
-  bool touches_border = false;   ///< contact at an edge of the grid: the potential contact is too small
-  bool converged = false;        ///< certificate.holds()
-  bool ended_early = false;      ///< a rough solution, as SolverOptions::early_end wants it; not certified
-  std::string normal_solver;     ///< the one that finished
-  std::string tangential_solver; ///< the one that finished
+/// What a solution took, and which solvers made it.
+struct Effort {
+  std::string normal_solver, tangential_solver;                               ///< those that finished
   int outer_iterations = 0, normal_iterations = 0, tangential_iterations = 0; ///< in all
   int creepage_iterations = 0; ///< tangential problems solved to find the creepages of prescribed forces
   double work = 0;             ///< of the case so far, companion included: work.hpp
@@ -207,7 +191,17 @@ struct ContactResult {
   double estimate_seconds = 0; ///< of the companion
   /// Mean factor by which an outer iteration changed the residual; 0: there was only one outer iteration.
   double outer_rate = 0;
-  std::string solver_note; ///< why a solver of the chain gave up, or ""
+};
+
+/// The answer to one contact problem: the fields of its solution, what they add up to, why to trust it, and
+/// what it took.
+struct ContactResult : ContactFields {
+  ContactTotals totals;              ///< what the fields add up to
+  std::vector<PatchSummary> patches; ///< largest force first
+  Trust trust;                       ///< certificate, estimate of the errors, remarks
+  Effort effort;                     ///< solvers, iterations, seconds
+
+  bool certified() const { return trust.certificate.holds(); } ///< it is a solution
 };
 
 /// The tractions of a result, as those of a former rolling step or load step.
@@ -216,8 +210,6 @@ Tractions tractions_of(const ContactResult& result);
 /// p_x slip_x + p_s slip_s, the power that friction dissipates on each element per area and unit of rolled
 /// distance (shift: the work of the load step per area), MPa (shift: MPa mm); field. 0 without slip.
 std::vector<double> friction_work_density(const ContactResult& result);
-/// Returns the power of friction, summed over all elements times their area (mm^2), N (shift: N mm).
-double T_gamma(const ContactResult& result, double element_area);
 
 /// Force along x, y, z and moment about them, at a point of the plane x = 0, of the tractions on these rows;
 /// N, N mm. `side_x`, `side`: signs of those along x and of the others.
@@ -230,11 +222,6 @@ double friction_bound(const ContactProblem& problem, const ContactResult& result
 
 /// The elements of each patch (8 neighbours), in the order of ContactResult::patches.
 std::vector<std::vector<int>> patch_elements(const ContactProblem& problem, const ContactResult& result);
-
-/// Largest pressure of all patches, MPa.
-double largest_pressure(const ContactResult& result);
-/// Area of all patches, mm^2.
-double contact_area(const ContactResult& result);
 
 /// Elements of all patches. Each one in contact either adheres or slips.
 struct ElementCounts {

@@ -114,23 +114,24 @@ int threads_of(const SolverOptions& options) {
 ContactResult result_of(const ContactProblem& problem, const contact::Solution& solution) {
   ContactResult result;
   fill_fields(problem, solution, result);
-  result.approach = solution.normal.approach;
-  result.creepage_x = solution.creepage.x;
-  result.creepage_s = solution.creepage.s;
-  result.compliance_x = solution.creepage.compliance_x;
-  result.compliance_s = solution.creepage.compliance_s;
-  set_totals(problem, result);
+  ContactTotals& totals = result.totals;
+  totals.approach = {solution.normal.approach};
+  totals.creepage_x = {solution.creepage.x};
+  totals.creepage_s = {solution.creepage.s};
+  totals.compliance_x = solution.creepage.compliance_x;
+  totals.compliance_s = solution.creepage.compliance_s;
   if (problem.heating && problem.has_friction())
     result.temperatures = flash_temperatures(problem, result);
-  result.normal_solver = solution.normal.solver;
-  result.tangential_solver = solution.shear.solver;
-  result.outer_iterations = solution.outer_iterations;
-  result.normal_iterations = solution.normal.iterations;
-  result.tangential_iterations = solution.shear.iterations;
-  result.creepage_iterations = solution.creepage.iterations;
-  result.outer_rate = solution.rate;
-  result.solver_note = solution.remark;
-  result.certificate.pressure = unknown_error; // nothing is checked
+  set_totals(problem, result);
+  result.effort.normal_solver = solution.normal.solver;
+  result.effort.tangential_solver = solution.shear.solver;
+  result.effort.outer_iterations = solution.outer_iterations;
+  result.effort.normal_iterations = solution.normal.iterations;
+  result.effort.tangential_iterations = solution.shear.iterations;
+  result.effort.creepage_iterations = solution.creepage.iterations;
+  result.effort.outer_rate = solution.rate;
+  result.trust.solver_note = solution.remark;
+  result.trust.certificate.pressure = unknown_error; // nothing is checked
   return result;
 }
 
@@ -152,12 +153,11 @@ ContactResult certified_result(const ContactProblem& problem, const contact::Sol
   require_balance(problem, solution);
   ContactResult result = result_of(problem, solution);
   const Stopwatch checking;
-  result.certificate =
+  result.trust.certificate =
       certify(problem, result, options.displacements ? &result.displacements : nullptr, threads_of(options));
-  result.check_seconds = checking.seconds();
-  result.converged = result.certificate.holds();
-  if (!result.converged && result.solver_note.empty())
-    result.solver_note = violated_condition(result.certificate, options);
+  result.effort.check_seconds = checking.seconds();
+  if (!result.certified() && result.trust.solver_note.empty())
+    result.trust.solver_note = violated_condition(result.trust.certificate, options);
   return result;
 }
 
@@ -208,9 +208,9 @@ void Estimate::solve(const contact::LargerElements& larger, const ContactResult&
 }
 
 void Estimate::add_to(ContactResult& result) {
-  result.why_no_errors = options_.estimate_discretisation ? contact::why_no_companion(problem_, result)
-                                                          : "they are not asked for";
-  if (!result.why_no_errors.empty())
+  result.trust.why_no_errors = options_.estimate_discretisation ? contact::why_no_companion(problem_, result)
+                                                                : "they are not asked for";
+  if (!result.trust.why_no_errors.empty())
     return;
   const Stopwatch clock;
   const contact::LargerElements larger(problem_.grid, result.pn);
@@ -221,29 +221,23 @@ void Estimate::add_to(ContactResult& result) {
       solve(larger, result, prepared);
     auto& [joined, problem, coarse] = *companion_;
     const contact::LentNumbers lent(prepared.numbers, problem);
-    result.discretisation = contact::compare(problem_, result, problem, coarse);
-    if (result.discretisation)
-      result.discretisation->tractions = tractions_of(coarse);
-    if (!result.discretisation)
-      result.why_no_errors = contact::why_not_compared(problem, coarse);
+    contact::compare(problem_, problem, coarse, result);
   } catch (const Error&) { // larger elements cannot carry the forces, or no work is left
-    result.why_no_errors = "elements twice as large have no solution. Give smaller elements";
+    result.trust.why_no_errors = "elements twice as large have no solution. Give smaller elements";
   }
-  if (result.discretisation)
-    result.certificate.discretisation = result.discretisation->worst();
   seconds_ += clock.seconds();
 }
 
 /// Of the longitudinal force that larger elements say of a solution, over what friction carries.
 double known_share(const ContactProblem& problem, const ContactResult& solved) {
-  if (!solved.discretisation)
+  if (!solved.trust.discretisation)
     return unknown_error;
   double capacity = 0;
   for (std::size_t i = 0; i < solved.pn.size(); ++i)
     capacity +=
         problem.friction_of(static_cast<int>(i) / problem.grid.mx) * solved.pn[i] * problem.element_area();
-  const TotalErrors& e = solved.discretisation->errors;
-  const double force = e.Fx > 0 ? e.Fx : e.creepage_x / solved.compliance_x;
+  const ContactTotals& totals = solved.totals;
+  const double force = totals.Fx.error > 0 ? totals.Fx.error : totals.creepage_x.error / totals.compliance_x;
   return force / capacity;
 }
 
@@ -277,12 +271,13 @@ public:
                const SolverOptions& options, contact::ContactOperators& operators, WorkBudget& work)
       : larger_(problem.grid, near.pn), prepared_(operators.companion(problem.numbers, larger_, false)),
         coarse_(contact::companion_of(problem, near, larger_).problem),
-        companion_(near.discretisation->tractions) {
+        companion_(near.trust.discretisation->tractions) {
     const contact::LentNumbers lent(prepared_.numbers, coarse_);
     try {
-      result_ = rough_result(
-          coarse_, near_solution(companion_, near.discretisation->coarse.approach, creepage, near.creepage_s),
-          options, prepared_.operators, work);
+      result_ = rough_result(coarse_,
+                             near_solution(companion_, near.trust.discretisation->coarse.approach, creepage,
+                                           near.totals.creepage_s),
+                             options, prepared_.operators, work);
     } catch (const Error&) { // larger elements cannot carry the forces, or no work is left
     }
   }
@@ -291,8 +286,8 @@ public:
   void improve(NearSolution& near) const {
     if (!result_)
       return;
-    near.creepage_x = result_->creepage_x;
-    near.creepage_s = result_->creepage_s;
+    near.creepage_x = result_->totals.creepage_x;
+    near.creepage_s = result_->totals.creepage_s;
     const auto add_change = [&](std::vector<double> Tractions::*component, const std::vector<double>& found) {
       std::vector<double> change = found;
       for (std::size_t i = 0; i < change.size(); ++i)
@@ -324,8 +319,8 @@ private:
 
 } // namespace
 
-std::optional<FreeCreepage> free_creepage(const ContactProblem& problem, const ContactResult& near,
-                                          double creepage, const SolverOptions& given, WorkBudget& work) {
+std::optional<Measured> free_creepage(const ContactProblem& problem, const ContactResult& near,
+                                      double creepage, const SolverOptions& given, WorkBudget& work) {
   validate(problem);
   contact::ContactOperators only_now;
   contact::ContactOperators& operators = given.workspace ? given.workspace->of(problem) : only_now;
@@ -335,9 +330,10 @@ std::optional<FreeCreepage> free_creepage(const ContactProblem& problem, const C
   SolverOptions options = given;
   options.tolerance = std::isfinite(known) ? std::clamp(known, given.tolerance, contact::loose_tolerance)
                                            : std::max(given.tolerance, contact::companion_tolerance);
-  NearSolution start = near_solution(tractions_of(near), near.approach, creepage, near.creepage_s);
+  NearSolution start =
+      near_solution(tractions_of(near), near.totals.approach, creepage, near.totals.creepage_s);
   std::optional<FreeOnLarger> on_larger;
-  if (given.estimate_discretisation && near.discretisation) {
+  if (given.estimate_discretisation && near.trust.discretisation) {
     on_larger.emplace(problem, near, creepage, options, operators, work);
     on_larger->improve(start);
   }
@@ -346,9 +342,10 @@ std::optional<FreeCreepage> free_creepage(const ContactProblem& problem, const C
   const auto rough = rough_result(problem, start, options, operators, work);
   if (!rough)
     return std::nullopt;
-  const double left = std::isfinite(rough->compliance_x) ? -rough->compliance_x * rough->Fx : 0;
-  return FreeCreepage{rough->creepage_x + left,
-                      on_larger ? on_larger->error_of(problem, *rough) : unknown_error};
+  const double left =
+      std::isfinite(rough->totals.compliance_x) ? -rough->totals.compliance_x * rough->totals.Fx : 0;
+  return Measured{rough->totals.creepage_x + left,
+                  on_larger ? on_larger->error_of(problem, *rough) : unknown_error};
 }
 
 ContactResult solve(const ContactProblem& problem, const SolverOptions& options) {
@@ -368,7 +365,7 @@ ContactResult solve(const ContactProblem& problem, const SolverOptions& options,
   if (options.early_end)
     look.emplace(options.early_end->change, [&](const contact::Solution& rough) {
       result = result_of(problem, rough);
-      result.ended_early = true;
+      result.trust.ended_early = true;
       estimate.add_to(result);
       return options.early_end->ends(problem, result);
     });
@@ -376,13 +373,13 @@ ContactResult solve(const ContactProblem& problem, const SolverOptions& options,
       contact::solve_coupled(problem, options, operators, work, look ? &*look : nullptr);
   if (!solution.ended_early) {
     result = certified_result(problem, solution, options);
-    if (result.converged)
+    if (result.certified())
       estimate.add_to(result);
     else
-      result.why_no_errors = "the result is not certified";
+      result.trust.why_no_errors = "the result is not certified";
   }
-  result.estimate_seconds = estimate.seconds();
-  result.work = work.used();
+  result.effort.estimate_seconds = estimate.seconds();
+  result.effort.work = work.used();
   return result;
 }
 

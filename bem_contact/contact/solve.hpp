@@ -59,7 +59,7 @@ private:
 };
 
 /// Solves one contact problem: the normal problem alone, or with friction. Without contact the result has
-/// zero force and no patches. If the solvers do not converge the result says `converged == false` and why;
+/// zero force and no patches. If the solvers do not converge the result is not certified() and says why;
 /// nothing is thrown. Throws InputError for a problem that is not valid or has no solution, ConvergenceError
 /// if the work allowed is used up.
 ContactResult solve(const ContactProblem& problem, const SolverOptions& options = {});
@@ -67,20 +67,15 @@ ContactResult solve(const ContactProblem& problem, const SolverOptions& options 
 /// Does the same with a budget that all problems of one case (one scene) share.
 ContactResult solve(const ContactProblem& problem, const SolverOptions& options, WorkBudget& work);
 
-/// A creepage along x at which a contact in steady rolling bears no longitudinal force.
-struct FreeCreepage {
-  double x = 0;                 ///< as ContactResult::creepage_x: it is added to the problem's rigid slip
-  double error = unknown_error; ///< stated, of the size of the elements
-};
-
-/// Finds the creepage of a problem with force_x = 0 from the certified solution `near` of nearly the same
-/// problem: with other tractions alone, as a prescribed creepage `creepage` (counted as FreeCreepage::x)
-/// leaves them. Newton's method begins there, and it ends where what is left of the force is worth a tenth of
-/// the stated error. That error is from larger elements, as that of a precise solution is. Nothing is
-/// certified: what no method finds at once is nothing here, and a whole solution may find it. Throws as
-/// solve() does.
-std::optional<FreeCreepage> free_creepage(const ContactProblem& problem, const ContactResult& near,
-                                          double creepage, const SolverOptions& options, WorkBudget& work);
+/// Finds the creepage along x at which a contact in steady rolling bears no longitudinal force (force_x = 0),
+/// counted as ContactTotals::creepage_x: it is added to the problem's rigid slip. `near` is the certified
+/// solution of nearly the same problem: with other tractions alone, as a prescribed creepage `creepage`
+/// (counted alike) leaves them. Newton's method begins there, and it ends where what is left of the force is
+/// worth a tenth of the stated error. That error is from larger elements, as that of a precise solution is.
+/// Nothing is certified: what no method finds at once is nothing here, and a whole solution may find it.
+/// Throws as solve() does.
+std::optional<Measured> free_creepage(const ContactProblem& problem, const ContactResult& near,
+                                      double creepage, const SolverOptions& options, WorkBudget& work);
 
 /// The estimate of the discretisation joins pairs of rows: the first of them, of `rows` rows where those in
 /// contact are lowest .. highest. Of an odd number one at an end is left out, the one farther from the

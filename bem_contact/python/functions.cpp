@@ -50,7 +50,8 @@ py::object results_of(const std::vector<SceneResult>& results) {
     return py::none();
   py::dict out;
   for (const SceneResult& r : results)
-    out[py::str(std::string(name_of(r.model)))] = PythonResult{std::make_shared<const SceneResult>(r), {}};
+    out[py::str(std::string(name_of(r.choice.model)))] =
+        PythonResult{std::make_shared<const SceneResult>(r), {}};
   return out;
 }
 

@@ -171,7 +171,7 @@ void add_former_names(ResultClass& c) {
       "friction_power", [](const SceneResult& r) { return known(quantity("T_gamma").value(r)); },
       "The same as T_gamma");
   c.def_property_readonly(
-      "friction_power_error", [](const SceneResult& r) { return known(quantity("T_gamma").error(r)); },
+      "friction_power_error", [](const SceneResult& r) { return known(r.result.totals.T_gamma.error); },
       "The same as T_gamma_error");
   for (const auto& [former, name] :
        {std::pair{"work_rate", "friction_work_density"}, {"element_power", "friction_work"}}) {
@@ -214,12 +214,14 @@ void add_parts(ResultClass& c) {
       "last_change, lowered; None where no body gives way");
   c.def_property_readonly(
       "other_laterals",
-      [](const SceneResult& r) { return r.found_lateral ? r.found_lateral->others : std::vector<double>(); },
+      [](const SceneResult& r) {
+        return r.motion.found_lateral ? r.motion.found_lateral->others : std::vector<double>();
+      },
       "Other displacements with the same load.force_y, to some hundredths, mm");
   c.def_property_readonly(
       "lateral_slope",
       [](const SceneResult& r) {
-        return r.found_lateral ? std::optional(r.found_lateral->slope) : std::nullopt;
+        return r.motion.found_lateral ? std::optional(r.motion.found_lateral->slope) : std::nullopt;
       },
       "dFy/dy at the displacement found for load.force_y, N/mm");
 }
@@ -246,9 +248,10 @@ void add_fields(ResultClass& c) {
 void add_trust(ResultClass& c) {
   using namespace py::literals;
   c.def_property_readonly(
-      "model", [](const SceneResult& r) { return std::string(name_of(r.model)); },
+      "model", [](const SceneResult& r) { return std::string(name_of(r.choice.model)); },
       "Its name in scenes, as halfspace");
-  c.def_readonly("reason", &SceneResult::why_this_model, "Why this model");
+  c.def_property_readonly(
+      "reason", [](const SceneResult& r) { return r.choice.why_this_model; }, "Why this model");
   c.def_property_readonly("why_no_errors", why_no_errors,
                           "Why numbers have no stated errors, and what to do; \"\" where they have");
   c.def_readonly("warnings", &SceneResult::warnings,
@@ -259,7 +262,8 @@ void add_trust(ResultClass& c) {
   c.def_property_readonly(
       "converges_with_elements",
       [](const SceneResult& r) {
-        return r.result.discretisation ? std::optional(r.result.discretisation->converges) : std::nullopt;
+        return r.result.trust.discretisation ? std::optional(r.result.trust.discretisation->converges)
+                                             : std::nullopt;
       },
       "False: smaller elements show another field, and no error can be told; None: not estimated");
   c.def_property_readonly("seconds", [](const SceneResult& r) { return r.seconds.total; });

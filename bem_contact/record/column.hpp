@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/base/measured.hpp"
 #include "bem_contact/record/record.hpp"
 
 #include <algorithm>
@@ -57,8 +58,21 @@ template <class... Of> struct ColumnOf {
   Unit unit;
   const char* meaning;                              ///< in a few words
   double (*value)(ColumnArgument<Of>...);           ///< nan: not known, or there is none
-  double (*error)(ColumnArgument<Of>...) = nullptr; ///< in the same unit; null: none is stated
+  double (*error)(ColumnArgument<Of>...) = nullptr; ///< in the same unit; null: none is ever stated
   int digits = 9;                                   ///< that are worth printing
+
+  /// `Number`: a function, or a lambda without captures, that gives the number; a Measured where an error is
+  /// stated for it.
+  template <class Number>
+  constexpr ColumnOf(const char* of_name, const Unit& of_unit, const char* what, Number number,
+                     int worth_printing = 9)
+      : name(of_name), unit(of_unit), meaning(what), value(value_of(number)), error(error_of(number)),
+        digits(worth_printing) {}
+
+  /// Both.
+  Measured measured(ColumnArgument<Of>... of) const {
+    return {value(of...), error ? error(of...) : unknown_error};
+  }
 
   /// One value a row, of a column of one kind of row.
   template <class Row> std::vector<double> values(std::span<const Row> rows) const {
@@ -70,6 +84,26 @@ template <class... Of> struct ColumnOf {
   }
   template <class Row> std::vector<double> values(const std::vector<Row>& rows) const {
     return values(std::span<const Row>(rows));
+  }
+
+private:
+  using Part = double (*)(ColumnArgument<Of>...);
+  template <class Number>
+  static constexpr bool states_error =
+      std::is_same_v<std::invoke_result_t<Number, ColumnArgument<Of>...>, Measured>;
+
+  template <class Number> static constexpr Part value_of(Number number) {
+    static_assert(std::is_convertible_v<Number, Part> || std::is_empty_v<Number>, "it has captures");
+    if constexpr (std::is_convertible_v<Number, Part>)
+      return number;
+    else
+      return [](ColumnArgument<Of>... of) -> double { return Number{}(of...); };
+  }
+  template <class Number> static constexpr Part error_of(Number) {
+    if constexpr (states_error<Number>)
+      return [](ColumnArgument<Of>... of) { return Number{}(of...).error; };
+    else
+      return nullptr;
   }
 };
 

@@ -8,51 +8,45 @@ namespace bem_contact {
 
 namespace {
 
-double relative(double error, double value) {
-  return value != 0 ? error / std::abs(value) : 0.0;
+/// Of a number that may be 0: nothing is relative to that.
+double relative(const Measured& number) {
+  return number.value != 0 ? number.error / std::abs(number) : 0.0;
 }
 
-double error_of(AccuracyOf what, const ContactProblem& problem, const ContactResult& r) {
-  const TotalErrors& e = r.discretisation->errors;
+double error_of(AccuracyOf what, const ContactResult& r) {
+  const ContactTotals& totals = r.totals;
   switch (what) {
   case AccuracyOf::pmax:
-    return relative(e.pmax, largest_pressure(r));
+    return relative(totals.pmax);
   case AccuracyOf::area:
-    return relative(e.area, contact_area(r));
+    return relative(totals.area);
   case AccuracyOf::adhesion:
-    return e.adhesion_share;
+    return totals.adhesion_share.error;
   case AccuracyOf::approach:
-    return relative(e.approach, r.approach);
+    return relative(totals.approach);
   case AccuracyOf::creepages:
-    return std::max(relative(e.creepage_x, r.creepage_x), relative(e.creepage_s, r.creepage_s));
+    return std::max(relative(totals.creepage_x), relative(totals.creepage_s));
   case AccuracyOf::friction_power:
-    return relative(e.T_gamma, T_gamma(r, problem.element_area()));
+    return relative(totals.T_gamma);
   case AccuracyOf::forces:
     break;
   }
-  return r.certificate.discretisation;
+  return r.trust.certificate.discretisation;
 }
 
 } // namespace
 
-double asked_error(const SceneFile::Grid& grid, const SceneResult& out) {
-  return asked_error(grid, out.problem, out.result);
-}
-
-double asked_error(const SceneFile::Grid& grid, const ContactProblem& problem, const ContactResult& result) {
-  const double forces = result.certificate.discretisation;
-  const std::optional<Discretisation>& estimate = result.discretisation;
+double asked_error(const SceneFile::Grid& grid, const ContactResult& result) {
+  const double forces = result.trust.certificate.discretisation;
+  const std::optional<Discretisation>& estimate = result.trust.discretisation;
   if (!estimate || (estimate->rough && !estimate->converges))
     return forces;
-  const auto error = [&](AccuracyOf what) {
-    const double pmax = largest_pressure(result);
-    return what == AccuracyOf::forces || estimate->converges
-               ? error_of(what, problem, result)
-               : std::max(forces, relative(pmax - estimate->coarse_pmax, pmax));
-  };
+  const Measured change{result.totals.pmax, result.totals.pmax - estimate->coarse.pmax};
   double largest = 0;
   for (const AccuracyOf what : grid.accuracy_of)
-    largest = std::max(largest, error(what));
+    largest = std::max(largest, what == AccuracyOf::forces || estimate->converges
+                                    ? error_of(what, result)
+                                    : std::max(forces, relative(change)));
   return largest;
 }
 

@@ -12,12 +12,12 @@ namespace {
 /// Of one of the two solutions.
 double scale_of(const Quantity& quantity, double value, const SceneResult& r) {
   const ContactResult& c = r.result;
-  const double force = std::max({std::abs(c.Fx), std::abs(c.Fy), std::abs(c.Fz)});
+  const double force = std::max({std::abs(c.totals.Fx), std::abs(c.totals.Fy), std::abs(c.totals.Fz)});
   switch (quantity.unit.kind) {
   case QuantityKind::force:
     return force;
   case QuantityKind::moment:
-    return force * std::sqrt(contact_area(c));
+    return force * std::sqrt(c.totals.area);
   case QuantityKind::pressure:
   case QuantityKind::temperature:
   case QuantityKind::area:
@@ -49,7 +49,7 @@ std::vector<QuantityDifference> differing_quantities(const std::map<std::string,
     if (found == before.end() || quantity.unit.kind == QuantityKind::effort)
       continue;
     const double value = quantity.value(now), was = found->second;
-    const double allowed = now.result.certificate.tolerance * scale_of(quantity, value, now);
+    const double allowed = now.result.trust.certificate.tolerance * scale_of(quantity, value, now);
     const bool same = std::isnan(value) || std::isnan(was) ? std::isnan(value) && std::isnan(was)
                                                            : std::abs(value - was) <= allowed;
     if (!same)

@@ -31,26 +31,21 @@ constexpr ComparedQuantity compared[] = {
 
 double ComparedQuantity::scale_of(double own, const SceneResult& r) const {
   return scale == Scale::own         ? std::abs(own)
-         : scale == Scale::resultant ? std::hypot(r.result.Fy, r.result.Fz)
+         : scale == Scale::resultant ? std::hypot(r.result.totals.Fy, r.result.totals.Fz)
          : scale == Scale::friction  ? friction_bound(r.problem, r.result)
          : scale == Scale::friction_moment
-             ? friction_bound(r.problem, r.result) * std::sqrt(contact_area(r.result) / std::numbers::pi)
+             ? friction_bound(r.problem, r.result) * std::sqrt(r.result.totals.area / std::numbers::pi)
              : 1;
 }
 
-std::optional<double> ComparedQuantity::of(const SceneResult& r) const {
-  const double value = quantity(name).value(r);
-  return std::isnan(value) || (friction && !r.problem.has_friction()) ? std::nullopt : std::optional(value);
-}
-
-std::optional<double> ComparedQuantity::error(const SceneResult& r) const {
-  const auto stated = quantity(name).error;
-  return stated && of(r) ? std::optional(stated(r)) : std::nullopt;
+std::optional<Measured> ComparedQuantity::of(const SceneResult& r) const {
+  const Measured number = quantity(name).measured(r);
+  return std::isnan(number) || (friction && !r.problem.has_friction()) ? std::nullopt : std::optional(number);
 }
 
 std::optional<double> ComparedQuantity::difference(const SceneResult& model,
                                                    const SceneResult& reference) const {
-  const std::optional<double> a = of(model), b = of(reference);
+  const std::optional<Measured> a = of(model), b = of(reference);
   if (!a || !b || (name == approach_name && model.approach_datum != reference.approach_datum))
     return std::nullopt;
   const double divisor = scale_of(*a, model);

@@ -20,8 +20,7 @@ struct ComparedQuantity {
   DifferenceScale scale;
   bool friction = false; ///< without friction there is none
 
-  std::optional<double> of(const SceneResult& result) const;    ///< its value
-  std::optional<double> error(const SceneResult& result) const; ///< the error stated for it
+  std::optional<Measured> of(const SceneResult& result) const;  ///< its value and error
   double scale_of(double own, const SceneResult& result) const; ///< what a difference is divided by
   /// By how much the reference's number is larger than the model's, over its scale. Nothing where one of them
   /// is missing, where the scale is zero, and of approaches with different datums.

@@ -37,8 +37,8 @@ SceneFile same_for_all(const SceneFile& scene, Model reference, const SceneSolve
     return scene;
   const SceneResult first = solve(with_model(scene, reference));
   SceneFile asked = with_elements(scene, first.problem.grid.dx, first.problem.grid.ds);
-  asked = with_lateral(std::move(asked), first.lateral.value_or(scene.position.lateral));
-  asked.load.force = first.result.Fz;
+  asked = with_lateral(std::move(asked), first.motion.lateral.value_or(scene.position.lateral));
+  asked.load.force = first.result.totals.Fz;
   asked.load.approach.reset();
   asked.position.vertical.reset();
   return asked;
@@ -58,10 +58,11 @@ std::vector<SceneResult> solve_each(const SceneFile& asked, const std::vector<Mo
 /// kept where it has that force nearly.
 SceneResult solve_at_force(SceneFile equal, std::optional<double> given, const SceneResult& there,
                            const SceneSolver& solve) {
-  const double wanted = there.result.Fy;
+  const double wanted = there.result.totals.Fy;
   if (!given) {
     SceneResult here = solve(equal);
-    if (std::abs(here.result.Fy - wanted) <= same_lateral_force * std::hypot(wanted, there.result.Fz))
+    if (std::abs(here.result.totals.Fy - wanted) <=
+        same_lateral_force * std::hypot(wanted, there.result.totals.Fz))
       return here;
   }
   equal.load.force_y = given.value_or(wanted);
@@ -76,11 +77,11 @@ CreepForces creep_forces(const SceneFile& equal, const std::vector<SceneResult>&
   for (const double creepage : compared_creepages)
     for (std::size_t m = 0; m < at_forces.size(); ++m) {
       const SceneResult& free = at_forces[m];
-      const SceneResult beyond = solve_beyond(with_model(with_lateral(equal, *free.lateral), free.model),
-                                              *free.free_rolling, creepage);
-      out.Fx[m].push_back(beyond.result.Fx);
-      out.Fx_error[m].push_back(beyond.result.discretisation ? beyond.result.discretisation->errors.Fx
-                                                             : unknown_error);
+      const SceneResult beyond =
+          solve_beyond(with_model(with_lateral(equal, *free.motion.lateral), free.choice.model),
+                       *free.motion.free_rolling, creepage);
+      out.Fx[m].push_back(beyond.result.totals.Fx);
+      out.Fx_error[m].push_back(beyond.result.totals.Fx.error);
     }
   return out;
 }
@@ -116,8 +117,8 @@ Comparison compare_models(const SceneFile& scene, std::vector<Model> models, con
     out.at_forces.push_back(model == reference && !scene.load.force_y
                                 ? there
                                 : solve_at_force(with_model(equal, model), scene.load.force_y, there, solve));
-  const bool free_rolling =
-      std::ranges::all_of(out.at_forces, [](const SceneResult& r) { return r.free_rolling.has_value(); });
+  const bool free_rolling = std::ranges::all_of(
+      out.at_forces, [](const SceneResult& r) { return r.motion.free_rolling.has_value(); });
   if (!the_same && free_rolling)
     out.creep_forces = creep_forces(equal, out.at_forces, solve_beyond);
   return out;

@@ -47,8 +47,8 @@ void add_creepages(const ContactProblem& problem, const ContactResult& result, c
   };
   const auto slip_x = [&](std::size_t is) { return on_row(problem.slip_x, is); };
   const auto slip_s = [&](std::size_t is) { return on_row(problem.slip_s, is); };
-  place.xi = row.of(slip_x) + result.creepage_x;
-  place.eta = row.of(slip_s) + result.creepage_s * std::cos(patch.delta - problem.reference_delta);
+  place.xi = row.of(slip_x) + result.totals.creepage_x;
+  place.eta = row.of(slip_s) + result.totals.creepage_s * std::cos(patch.delta - problem.reference_delta);
   const double along_x = row.of([&](std::size_t is) {
     return column.slope([&](std::size_t ix) { return problem.slip_s[is * columns + ix]; }, columns);
   });

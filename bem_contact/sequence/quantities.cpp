@@ -22,39 +22,34 @@ constexpr Unit creepage_alone{"1", nullptr, Kind::creepage};
 /// Work per rolled length is a force (T-gamma).
 constexpr Unit work_unit{"N", "N mm", Kind::power}, work_density_unit{"MPa", "N/mm"};
 
-/// A member of the contact's result.
-template <auto member> double of_result(const SceneResult& r) {
-  return r.result.*member;
-}
-/// The error of a total.
-template <double TotalErrors::*error> double total(const SceneResult& r) {
-  return r.result.discretisation ? r.result.discretisation->errors.*error : none;
-}
-double moment_error(const SceneResult& r) {
-  return r.result.discretisation
-             ? r.result.discretisation->moment_error(r.result, r.reference.x, r.reference.position.y)
-             : none;
-}
-template <int ElementCounts::*count> double elements(const SceneResult& r) {
-  return count_elements(r.result).*count;
-}
+/// A total, with its error.
+template <auto member>
+constexpr auto of_totals = [](const SceneResult& r) { return r.result.totals.*member; };
+template <auto member>
+constexpr auto of_motion = [](const SceneResult& r) -> double { return r.motion.*member; };
+template <int ElementCounts::*count>
+constexpr auto elements = [](const SceneResult& r) { return double(count_elements(r.result).*count); };
+template <int Effort::*count>
+constexpr auto of_effort = [](const SceneResult& r) { return double(r.result.effort.*count); };
 
-PatchErrors errors_of(const SceneResult& r, std::size_t patch) {
-  return r.result.discretisation ? r.result.discretisation->patches.at(patch) : PatchErrors{};
+/// Numbers that are members of a patch: a Measured, a number, or a count.
+constexpr Measured as_number(const Measured& member) {
+  return member;
 }
-template <auto member> double of_patch(const SceneResult& r, std::size_t patch) {
-  return r.result.patches[patch].*member;
+constexpr double as_number(double member) {
+  return member;
 }
-template <auto member> double of_place(const SceneResult& r, std::size_t patch) {
-  return r.patch_places[patch].*member;
-}
-template <auto member> double patch_error(const SceneResult& r, std::size_t patch) {
-  return errors_of(r, patch).*member;
-}
+template <auto member>
+constexpr auto of_patch =
+    [](const SceneResult& r, std::size_t patch) { return as_number(r.result.patches[patch].*member); };
+template <auto member>
+constexpr auto of_place =
+    [](const SceneResult& r, std::size_t patch) { return r.patch_places[patch].*member; };
 
-template <auto member> double of_step(const SceneResult&, const ContactResult& step) {
-  return step.*member;
-}
+/// The same of one step, without an error.
+template <auto member>
+constexpr auto of_step =
+    [](const SceneResult&, const ContactResult& step) -> double { return step.totals.*member; };
 
 /// A stored field; it may be empty, as the slip of a frictionless result is.
 void copy_stored(const std::vector<double>& field, std::span<double> to) {
@@ -87,46 +82,43 @@ template <auto surface> void copy_temperature(const SceneResult& r, std::span<do
   if (has_temperatures(r))
     std::ranges::copy((*r.result.temperatures).*surface, to.begin());
 }
-template <auto surface> double highest_temperature(const SceneResult& r) {
-  return has_temperatures(r) ? std::ranges::max((*r.result.temperatures).*surface) : none;
-}
-
 constexpr Quantity known_quantities[] = {
-    {"Fx", newton, "on the rail", of_result<&ContactResult::Fx>, total<&TotalErrors::Fx>},
-    {"Fy", newton, "on the rail, to the right (left wheel: to the left)", of_result<&ContactResult::Fy>,
-     total<&TotalErrors::Fy>},
-    {"Fz", newton, "on the rail, down", of_result<&ContactResult::Fz>, total<&TotalErrors::Fz>},
-    {"Fs", newton, "shear force along the tangent at the reference point", of_result<&ContactResult::Fs>,
-     total<&TotalErrors::Fs>},
+    {"Fx", newton, "on the rail", of_totals<&ContactTotals::Fx>},
+    {"Fy", newton, "on the rail, to the right (left wheel: to the left)", of_totals<&ContactTotals::Fy>},
+    {"Fz", newton, "on the rail, down", of_totals<&ContactTotals::Fz>},
+    {"Fs", newton, "shear force along the tangent at the reference point", of_totals<&ContactTotals::Fs>},
     {"Mz", moment_unit, "on the rail, about the vertical axis through the reference point",
-     [](const SceneResult& r) { return r.moment; }, moment_error},
+     [](const SceneResult& r) { return r.moment; }},
     {"lateral", mm, "lateral displacement of the wheelset, given or found for load.force_y",
-     [](const SceneResult& r) { return r.lateral.value_or(none); },
-     [](const SceneResult& r) { return r.found_lateral ? r.found_lateral->error : none; }},
-    {"approach", mm, "along z", of_result<&ContactResult::approach>, total<&TotalErrors::approach>},
-    {"pmax", megapascal, "largest pressure", [](const SceneResult& r) { return largest_pressure(r.result); },
-     total<&TotalErrors::pmax>},
-    {"area", square, "in contact", [](const SceneResult& r) { return contact_area(r.result); },
-     total<&TotalErrors::area>},
+     [](const SceneResult& r) {
+       const auto& found = r.motion.found_lateral;
+       return Measured{r.motion.lateral.value_or(none), found ? found->lateral.error : none};
+     }},
+    {"approach", mm, "along z", of_totals<&ContactTotals::approach>},
+    {"pmax", megapascal, "largest pressure", of_totals<&ContactTotals::pmax>},
+    {"area", square, "in contact", of_totals<&ContactTotals::area>},
     {"adhesion_share", share_unit, "of the area in contact that adheres",
-     [](const SceneResult& r) { return adhesion_share(r.result); }, total<&TotalErrors::adhesion_share>},
+     of_totals<&ContactTotals::adhesion_share>},
     {"T_gamma", work_unit, "work of friction per unit of rolled distance (shift: in the step)",
-     [](const SceneResult& r) { return T_gamma(r.result, r.problem.element_area()); },
-     total<&TotalErrors::T_gamma>},
+     of_totals<&ContactTotals::T_gamma>},
     {"Tmax_rail", celsius, "highest temperature of the rail's surface; nan: not asked for",
-     highest_temperature<&SurfaceTemperatures::rail>, total<&TotalErrors::highest_rail_temperature>},
+     of_totals<&ContactTotals::Tmax_rail>},
     {"Tmax_wheel", celsius, "highest temperature of the wheel's surface; nan: not asked for",
-     highest_temperature<&SurfaceTemperatures::wheel>, total<&TotalErrors::highest_wheel_temperature>},
+     of_totals<&ContactTotals::Tmax_wheel>},
     {"xi", creepage_unit, "longitudinal creepage, with what was found for load.force_x",
-     [](const SceneResult& r) { return r.xi; }, total<&TotalErrors::creepage_x>},
+     [](const SceneResult& r) {
+       return Measured{r.motion.xi, r.result.totals.creepage_x.error};
+     }},
     {"eta", creepage_unit, "lateral creepage, with what was found for load.force_s",
-     [](const SceneResult& r) { return r.eta; }, total<&TotalErrors::creepage_s>},
+     [](const SceneResult& r) {
+       return Measured{r.motion.eta, r.result.totals.creepage_s.error};
+     }},
     {"phi", spin_unit, "spin, without that of the geometry (patches have all of it)",
-     [](const SceneResult& r) { return r.phi; }},
+     of_motion<&SceneMotion::phi>},
     {"creepage_x", creepage_unit, "longitudinal creepage found for load.force_x",
-     of_result<&ContactResult::creepage_x>, total<&TotalErrors::creepage_x>},
+     of_totals<&ContactTotals::creepage_x>},
     {"creepage_s", creepage_unit, "lateral creepage found for load.force_s",
-     of_result<&ContactResult::creepage_s>, total<&TotalErrors::creepage_s>},
+     of_totals<&ContactTotals::creepage_s>},
     {"layer_compliance", compliance_unit,
      "of the layer under shear, given or found for layer.slope; nan: there is none, or rows differ",
      [](const SceneResult& r) {
@@ -135,16 +127,15 @@ constexpr Quantity known_quantities[] = {
     {"layer_normal_compliance", compliance_unit, "of the layer under pressure; nan: there is none",
      [](const SceneResult& r) { return r.layer.normal > 0 ? r.layer.normal : none; }},
     {"free_rolling_xi", creepage_alone, "longitudinal creepage at which Fx is 0; nan: not looked for",
-     [](const SceneResult& r) { return r.free_rolling ? r.free_rolling->xi : none; },
-     [](const SceneResult& r) { return r.free_rolling ? r.free_rolling->xi_error : none; }},
+     [](const SceneResult& r) { return r.motion.free_rolling ? r.motion.free_rolling->xi : Measured{none}; }},
     {"free_rolling_radius", mm, "rolling radius at which Fx is 0; nan: not looked for",
-     [](const SceneResult& r) { return r.free_rolling ? r.free_rolling->rolling_radius : none; },
-     [](const SceneResult& r) { return r.free_rolling ? r.free_rolling->radius_error() : none; }},
+     [](const SceneResult& r) {
+       return r.motion.free_rolling ? r.motion.free_rolling->radius() : Measured{none};
+     }},
     {"patch_count", number, "connected areas in contact",
      [](const SceneResult& r) { return double(r.result.patches.size()); }},
     {"Fn_2", newton, "normal force of the second largest patch; 0: there is none",
-     [](const SceneResult& r) { return r.result.patches.size() > 1 ? r.result.patches[1].fn : 0.0; },
-     [](const SceneResult& r) { return r.result.patches.size() > 1 ? errors_of(r, 1).fn : none; }},
+     [](const SceneResult& r) { return r.result.patches.size() > 1 ? r.result.patches[1].fn : Measured{}; }},
     {"contact", number, "elements in contact", elements<&ElementCounts::contact>},
     {"adhesion", number, "elements in adhesion", elements<&ElementCounts::adhesion>},
     {"slip", number, "elements in slip", elements<&ElementCounts::slip>},
@@ -153,46 +144,41 @@ constexpr Quantity known_quantities[] = {
     {"dx", mm, "length of an element", [](const SceneResult& r) { return r.problem.grid.dx; }},
     {"ds", mm, "width of an element", [](const SceneResult& r) { return r.problem.grid.ds; }},
     {"reference_s", mm, "reference point: arc length on the rail",
-     [](const SceneResult& r) { return r.reference.s; }},
+     [](const SceneResult& r) { return r.motion.reference.s; }},
     {"reference_y", mm, "reference point, track frame",
-     [](const SceneResult& r) { return r.reference.position.y; }},
+     [](const SceneResult& r) { return r.motion.reference.position.y; }},
     {"reference_z", mm, "reference point, track frame, down",
-     [](const SceneResult& r) { return r.reference.position.z; }},
+     [](const SceneResult& r) { return r.motion.reference.position.z; }},
     {"reference_delta", radian, "inclination at the reference point",
-     [](const SceneResult& r) { return r.reference.delta; }},
+     [](const SceneResult& r) { return r.motion.reference.delta; }},
     {"certificate", effort, "worst violation of the contact conditions, relative",
-     [](const SceneResult& r) { return r.result.certificate.worst(); }},
+     [](const SceneResult& r) { return r.result.trust.certificate.worst(); }},
     {"discretisation", effort, "estimated discretisation error, relative; nan: not estimated",
      [](const SceneResult& r) {
-       const double error = r.result.certificate.discretisation;
+       const double error = r.result.trust.certificate.discretisation;
        return error < 0 ? none : error;
      }},
     {"outer_iterations", effort, "between the normal and the tangential problem",
-     [](const SceneResult& r) { return double(r.result.outer_iterations); }},
-    {"normal_iterations", effort, "changes of the active set",
-     [](const SceneResult& r) { return double(r.result.normal_iterations); }},
+     of_effort<&Effort::outer_iterations>},
+    {"normal_iterations", effort, "changes of the active set", of_effort<&Effort::normal_iterations>},
     {"tangential_iterations", effort, "steps of the tangential solver",
-     [](const SceneResult& r) { return double(r.result.tangential_iterations); }},
+     of_effort<&Effort::tangential_iterations>},
     {"warning_count", effort, "how many warnings there are",
      [](const SceneResult& r) { return double(r.warnings.size()); }},
 };
 
 constexpr PatchQuantity all_of_patches[] = {
-    {"Fn", newton, "sum of the pressure", of_patch<&PatchSummary::fn>, patch_error<&PatchErrors::fn>},
-    {"Fx", newton, "on the rail", of_patch<&PatchSummary::fx>, patch_error<&PatchErrors::fx>},
-    {"Fs", newton, "sum of the shear traction along s", of_patch<&PatchSummary::fs>,
-     patch_error<&PatchErrors::fs>},
-    {"Fy", newton, "on the rail, track frame", of_patch<&PatchSummary::fy>, patch_error<&PatchErrors::fy>},
-    {"Fz", newton, "on the rail, track frame, down", of_patch<&PatchSummary::fz>,
-     patch_error<&PatchErrors::fz>},
+    {"Fn", newton, "sum of the pressure", of_patch<&PatchSummary::fn>},
+    {"Fx", newton, "on the rail", of_patch<&PatchSummary::fx>},
+    {"Fs", newton, "sum of the shear traction along s", of_patch<&PatchSummary::fs>},
+    {"Fy", newton, "on the rail, track frame", of_patch<&PatchSummary::fy>},
+    {"Fz", newton, "on the rail, track frame, down", of_patch<&PatchSummary::fz>},
     {"Mx", moment_unit, "on the rail, about x through the patch's centre", of_patch<&PatchSummary::moment_x>},
     {"Ms", moment_unit, "on the rail, about s at the patch's centre", of_patch<&PatchSummary::moment_s>},
-    {"Mn", moment_unit, "on the rail, about n at the patch's centre", of_patch<&PatchSummary::moment_n>,
-     patch_error<&PatchErrors::moment_n>},
-    {"overlap", mm, "largest overlap of the undeformed bodies, along n", of_patch<&PatchSummary::overlap>,
-     patch_error<&PatchErrors::overlap>},
-    {"pmax", megapascal, "largest pressure", of_patch<&PatchSummary::pmax>, patch_error<&PatchErrors::pmax>},
-    {"area", square, "in contact", of_patch<&PatchSummary::area>, patch_error<&PatchErrors::area>},
+    {"Mn", moment_unit, "on the rail, about n at the patch's centre", of_patch<&PatchSummary::moment_n>},
+    {"overlap", mm, "largest overlap of the undeformed bodies, along n", of_patch<&PatchSummary::overlap>},
+    {"pmax", megapascal, "largest pressure", of_patch<&PatchSummary::pmax>},
+    {"area", square, "in contact", of_patch<&PatchSummary::area>},
     {"semi_axis_a", mm,
      "ellipse whose Hertzian pressure has the second moments of this one: semi-axis nearest to x",
      of_patch<&PatchSummary::semi_axis_a>},
@@ -220,39 +206,37 @@ constexpr PatchQuantity all_of_patches[] = {
     {"phi", spin_unit, "rotation of the rigid slip about n there, with that of the geometry",
      of_place<&PatchPlace::phi>},
     {"T_gamma", work_unit, "work of friction per unit of rolled distance (shift: in the step)",
-     of_patch<&PatchSummary::T_gamma>, patch_error<&PatchErrors::T_gamma>},
+     of_patch<&PatchSummary::T_gamma>},
     {"contact", number, "elements in contact", of_patch<&PatchSummary::contact>},
     {"adhesion", number, "elements in adhesion", of_patch<&PatchSummary::adhesion>},
     {"slip", number, "elements in slip", of_patch<&PatchSummary::slip>},
 };
 
 /// The number of that name, of one step.
-constexpr StepQuantity of_each_step(std::string_view name,
-                                    double (*value)(const SceneResult&, const ContactResult&)) {
+template <class Number> constexpr StepQuantity of_each_step(std::string_view name, Number of_one) {
   const Quantity& q = named(known_quantities, name);
-  return {q.name, q.unit, q.meaning, value};
+  return {q.name, q.unit, q.meaning, of_one};
 }
 
 constexpr StepQuantity all_of_steps[] = {
-    of_each_step("Fx", of_step<&ContactResult::Fx>),
-    of_each_step("Fy", of_step<&ContactResult::Fy>),
-    of_each_step("Fz", of_step<&ContactResult::Fz>),
-    of_each_step("Fs", of_step<&ContactResult::Fs>),
-    of_each_step("Mz", [](const SceneResult& r,
-                          const ContactResult& step) { return moment_about(r.reference, step); }),
-    of_each_step("approach", of_step<&ContactResult::approach>),
-    of_each_step("pmax",
-                 [](const SceneResult&, const ContactResult& step) { return largest_pressure(step); }),
-    of_each_step("area", [](const SceneResult&, const ContactResult& step) { return contact_area(step); }),
-    of_each_step("T_gamma",
-                 [](const SceneResult& r, const ContactResult& step) {
-                   return T_gamma(step, r.problem.element_area());
+    of_each_step("Fx", of_step<&ContactTotals::Fx>),
+    of_each_step("Fy", of_step<&ContactTotals::Fy>),
+    of_each_step("Fz", of_step<&ContactTotals::Fz>),
+    of_each_step("Fs", of_step<&ContactTotals::Fs>),
+    of_each_step("Mz",
+                 [](const SceneResult& r, const ContactResult& step) -> double {
+                   return moment_about(r.motion.reference, step);
                  }),
-    of_each_step("creepage_x", of_step<&ContactResult::creepage_x>),
-    of_each_step("creepage_s", of_step<&ContactResult::creepage_s>),
-    of_each_step("certificate",
-                 [](const SceneResult&, const ContactResult& step) { return step.certificate.worst(); }),
-    {"certified", effort, "1: the step is a solution", of_step<&ContactResult::converged>},
+    of_each_step("approach", of_step<&ContactTotals::approach>),
+    of_each_step("pmax", of_step<&ContactTotals::pmax>),
+    of_each_step("area", of_step<&ContactTotals::area>),
+    of_each_step("T_gamma", of_step<&ContactTotals::T_gamma>),
+    of_each_step("creepage_x", of_step<&ContactTotals::creepage_x>),
+    of_each_step("creepage_s", of_step<&ContactTotals::creepage_s>),
+    of_each_step("certificate", [](const SceneResult&,
+                                   const ContactResult& step) { return step.trust.certificate.worst(); }),
+    {"certified", effort, "1: the step is a solution",
+     [](const SceneResult&, const ContactResult& step) { return double(step.certified()); }},
 };
 
 constexpr RowQuantity all_of_rows[] = {
@@ -265,7 +249,9 @@ constexpr RowQuantity all_of_rows[] = {
     {"delta", radian, "inclination of the rows",
      [](const SceneResult& r, std::size_t row) { return r.problem.rows[row].delta; }},
     {"wheel_s", mm, "arc length along the wheel's profile opposite the rows; nan: it has none",
-     [](const SceneResult& r, std::size_t row) { return r.wheel_s.empty() ? none : r.wheel_s[row]; }},
+     [](const SceneResult& r, std::size_t row) {
+       return r.bodies.wheel_s.empty() ? none : r.bodies.wheel_s[row];
+     }},
     {"layer", compliance_unit, "compliance of the layer under shear on the rows; nan: there is none",
      [](const SceneResult& r, std::size_t row) {
        return r.layer.shear.empty() ? none : r.layer.shear_of(static_cast<int>(row));
@@ -273,12 +259,12 @@ constexpr RowQuantity all_of_rows[] = {
 };
 
 constexpr ElementQuantity all_of_elements[] = {
-    kept_field<&ContactResult::px>("p_x", megapascal, "traction on the rail along x"),
-    kept_field<&ContactResult::ps>("p_s", megapascal, "traction on the rail along s"),
-    kept_field<&ContactResult::pn>("p_n", megapascal, "pressure"),
-    kept_field<&ContactResult::slip_x>("slip_x", creepage_unit,
+    kept_field<&ContactFields::px>("p_x", megapascal, "traction on the rail along x"),
+    kept_field<&ContactFields::ps>("p_s", megapascal, "traction on the rail along s"),
+    kept_field<&ContactFields::pn>("p_n", megapascal, "pressure"),
+    kept_field<&ContactFields::slip_x>("slip_x", creepage_unit,
                                        "slip along x, per unit of rolled distance (shift: in the step)"),
-    kept_field<&ContactResult::slip_s>("slip_s", creepage_unit,
+    kept_field<&ContactFields::slip_s>("slip_s", creepage_unit,
                                        "slip along s, per unit of rolled distance (shift: in the step)"),
     {"u_x", mm, "displacement of the wheel less that of the rail, along x",
      copy_displacement<&Displacements::ux>},
@@ -298,7 +284,7 @@ constexpr ElementQuantity all_of_elements[] = {
      copy_temperature<&SurfaceTemperatures::rail>, has_temperatures},
     {"T_wheel", celsius, "flash temperature of the wheel's surface",
      copy_temperature<&SurfaceTemperatures::wheel>, has_temperatures},
-    kept_field<&ContactResult::deformed_distance>("deformed_distance", mm,
+    kept_field<&ContactFields::deformed_distance>("deformed_distance", mm,
                                                   "between the deformed surfaces, along n"),
     {"gap", mm, "undeformed distance along the rail's normal",
      [](const SceneResult& r, std::span<double> to) { copy_stored(r.problem.gap, to); }},
@@ -339,18 +325,13 @@ std::vector<double> ElementQuantity::values(const SceneResult& result) const {
 }
 
 std::string why_no_errors(const SceneResult& r) {
-  const auto& estimate = r.result.discretisation;
+  const auto& estimate = r.result.trust.discretisation;
   if (!estimate || estimate->converges)
-    return r.result.why_no_errors;
+    return r.result.trust.why_no_errors;
   return fmt::format(
       "the pressure does not converge with the size of the elements (pmax {:.0f} MPa on elements "
       "twice as large). Give smaller elements, or smooth the profiles",
-      estimate->coarse_pmax);
-}
-
-double adhesion_share(const ContactResult& result) {
-  const ElementCounts counts = count_elements(result);
-  return counts.contact > 0 ? double(counts.adhesion) / counts.contact : 0.0;
+      estimate->coarse.pmax.value);
 }
 
 } // namespace bem_contact

@@ -15,7 +15,7 @@ namespace bem_contact {
 /// known, or that a result does not have, is nan (JSON: null, CSV: an empty cell, Python: None).
 
 /// One number of a result. If it has an estimate of the error that the size of the elements causes
-/// (Discretisation), outputs give that too, as "<name>_error" in the same unit.
+/// (Measured), outputs give that too, as "<name>_error" in the same unit.
 using Quantity = ColumnOf<SceneResult>;
 /// All of them, in the order of the outputs.
 std::span<const Quantity> quantities();
@@ -64,8 +64,5 @@ std::string why_no_errors(const SceneResult& result);
 inline bool is_shift(const SceneResult& result) {
   return result.problem.motion == MotionKind::shift;
 }
-
-/// Share of the elements in contact that adhere; 0 without contact.
-double adhesion_share(const ContactResult& result);
 
 } // namespace bem_contact

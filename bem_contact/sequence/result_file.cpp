@@ -17,8 +17,8 @@ record::Record geometry_of(const SceneResult& r) {
     if (digest != 0)
       out.add(key, fmt::format("{:016x}", digest));
   };
-  add("rail", r.rail_geometry);
-  add("wheel", r.wheel_geometry);
+  add("rail", r.bodies.rail_geometry);
+  add("wheel", r.bodies.wheel_geometry);
   return out;
 }
 

@@ -45,8 +45,9 @@ void add_coordinates(Record& out, const SceneResult& r) {
     if (!std::isnan(values.front()))
       out.add(q.name, field(std::move(values), q.unit.of(is_shift(r)), q.meaning));
   }
-  out.add("rail_profile", points(r.rail_profile, "rail, fine near the contact: y, z"));
-  out.add("wheel_profile", points(r.wheel_profile, "wheel at approach 0, fine near the contact: y, z"));
+  out.add("rail_profile", points(r.bodies.rail_profile, "rail, fine near the contact: y, z"));
+  out.add("wheel_profile",
+          points(r.bodies.wheel_profile, "wheel at approach 0, fine near the contact: y, z"));
 }
 
 void add_fields(Record& out, const SceneResult& r) {
@@ -101,14 +102,15 @@ Record certificate_of(const Certificate& c) {
 }
 
 record::Content extrapolated(const SceneResult& r) {
-  if (!r.result.discretisation)
+  if (!r.result.trust.discretisation)
     return {};
-  const ContactTotals& e = r.result.discretisation->extrapolated;
+  const ContactTotals& e = r.result.trust.discretisation->extrapolated;
   constexpr const char* meaning = "extrapolated to elements of vanishing size";
   return Record{{"Fx", Number{e.Fx, "N", meaning}},
                 {"Fy", Number{e.Fy, "N", meaning}},
                 {"Fz", Number{e.Fz, "N", meaning}},
-                {"Mz", Number{e.Mz + r.reference.position.y * e.Fx - r.reference.x * e.Fy, "N mm", meaning}},
+                {"Mz", Number{e.Mz + r.motion.reference.position.y * e.Fx - r.motion.reference.x * e.Fy,
+                              "N mm", meaning}},
                 {"approach", Number{e.approach, "mm", meaning}}};
 }
 
@@ -195,12 +197,12 @@ Record seconds_of(const PhaseSeconds& s) {
 }
 
 Record solver_of(const ContactResult& c) {
-  return {{"normal", record::Text{c.normal_solver}},
-          {"tangential", record::Text{c.tangential_solver}},
-          {"work", Number{c.work, "1", "of the case's budget of work"}},
+  return {{"normal", record::Text{c.effort.normal_solver}},
+          {"tangential", record::Text{c.effort.tangential_solver}},
+          {"work", Number{c.effort.work, "1", "of the case's budget of work"}},
           {"outer_rate",
-           Number{c.outer_rate, "1", "mean factor by which an outer iteration changed the residual"}},
-          {"creepage_iterations", Number{double(c.creepage_iterations),
+           Number{c.effort.outer_rate, "1", "mean factor by which an outer iteration changed the residual"}},
+          {"creepage_iterations", Number{double(c.effort.creepage_iterations),
                                          "1",
                                          "tangential problems solved for prescribed forces",
                                          {},
@@ -209,28 +211,28 @@ Record solver_of(const ContactResult& c) {
 
 /// What is said of the answer as a whole.
 void add_words_of(Record& out, const SceneResult& r) {
-  out.add("model", std::string(name_of(r.model)));
-  out.add("why_this_model", r.why_this_model);
+  out.add("model", std::string(name_of(r.choice.model)));
+  out.add("why_this_model", r.choice.why_this_model);
   out.add("certified", certified(r));
   add_words(out, "why_not_certified", why_not_certified(r));
-  add_words(out, "solver_note", r.result.solver_note);
+  add_words(out, "solver_note", r.result.trust.solver_note);
   add_words(out, "why_no_errors", why_no_errors(r));
-  if (r.result.discretisation)
-    out.add("converges_with_elements", r.result.discretisation->converges);
+  if (r.result.trust.discretisation)
+    out.add("converges_with_elements", r.result.trust.discretisation->converges);
   else
     out.add("converges_with_elements", Record::Nothing{});
   out.add("warnings", record::Texts{r.warnings, "one line for each"});
-  out.add("frame", std::string("x rolling direction, y ") + (r.left ? "to the left" : "to the right") +
+  out.add("frame", std::string("x rolling direction, y ") + (r.motion.left ? "to the left" : "to the right") +
                        ", z down; s along the rail, n into the rail");
   out.add("approach_datum", r.approach_datum);
   add_words(out, "track", r.track);
 }
 
 void add_found_lateral(Record& out, const SceneResult& r) {
-  if (!r.found_lateral)
+  if (!r.motion.found_lateral)
     return;
-  out.add("lateral_slope", Number{r.found_lateral->slope, "N/mm", "dFy/dy at the displacement found"});
-  out.add("other_laterals", field(r.found_lateral->others, "mm",
+  out.add("lateral_slope", Number{r.motion.found_lateral->slope, "N/mm", "dFy/dy at the displacement found"});
+  out.add("other_laterals", field(r.motion.found_lateral->others, "mm",
                                   "other displacements with the same load.force_y, to some hundredths"));
 }
 
@@ -264,7 +266,7 @@ Record record_of(const SceneResult& r, const RecordParts& parts) {
   out.add("stresses", stresses_of(r.stresses));
   if (parts.quantities)
     out.add("extrapolated", extrapolated(r))
-        .add("certificate", certificate_of(r.result.certificate))
+        .add("certificate", certificate_of(r.result.trust.certificate))
         .add("solver", solver_of(r.result))
         .add("seconds", seconds_of(r.seconds));
   out.add("friction", Number{r.problem.tangential ? r.problem.largest_friction() : 0.0, "1",

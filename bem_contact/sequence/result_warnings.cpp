@@ -55,8 +55,8 @@ void warn_of_creepage(const SceneResult& r, std::vector<std::string>& out) {
       s += problem.slip_s[i];
       ++contact;
     }
-  const double xi = r.result.creepage_x + x / std::max(contact, 1);
-  const double eta = r.result.creepage_s + s / std::max(contact, 1);
+  const double xi = r.result.totals.creepage_x + x / std::max(contact, 1);
+  const double eta = r.result.totals.creepage_s + s / std::max(contact, 1);
   if (std::hypot(xi, eta) > largest_creepage)
     out.push_back(fmt::format("the creepage is above 10 % (along x {:.3g}, along s {:.3g}) Check motion and "
                               "position: creepages are ratios, and 0.001 is usual.",
@@ -121,7 +121,7 @@ void warn_of_head(const ContactCase& asked, const SceneResult& r, std::vector<st
     const int is = i / r.problem.grid.mx;
     deepest = std::max(deepest, r.problem.rows[is].position.z);
     rail_end = rail_end || near(placed->pair.rail, r.problem.rows[is].s);
-    wheel_end = wheel_end || (!r.wheel_s.empty() && near(placed->pair.wheel, r.wheel_s[is]));
+    wheel_end = wheel_end || (!r.bodies.wheel_s.empty() && near(placed->pair.wheel, r.bodies.wheel_s[is]));
   }
   if (rail_end || wheel_end)
     out.push_back(
@@ -144,12 +144,12 @@ void warn_of_kinetic_friction(const ContactProblem& problem, std::vector<std::st
 }
 
 void warn_of_convergence(const ContactResult& r, std::vector<std::string>& out) {
-  if (r.discretisation && !r.discretisation->converges)
+  if (r.trust.discretisation && !r.trust.discretisation->converges)
     out.push_back(
         fmt::format("the pressure does not converge with the size of the elements (pmax {:.0f} MPa, "
                     "{:.0f} MPa on elements twice as large) {}",
-                    largest_pressure(r), r.discretisation->coarse_pmax,
-                    r.discretisation->rough
+                    r.totals.pmax.value, r.trust.discretisation->coarse.pmax.value,
+                    r.trust.discretisation->rough
                         ? "Smooth the profiles (rail.smoothing, wheel.smoothing): their distance is rough."
                         : "Give smaller grid.dx and grid.ds, or smooth a profile that is noisy."));
 }
@@ -158,32 +158,32 @@ void warn_of_convergence(const ContactResult& r, std::vector<std::string>& out) 
 
 std::vector<std::string> result_warnings(const ContactCase& asked, const SceneResult& r) {
   std::vector<std::string> out;
-  if (!r.result.converged)
+  if (!r.result.certified())
     return out;
-  warn_of_yield(asked.setup, largest_pressure(r.result), out);
+  warn_of_yield(asked.setup, r.result.totals.pmax, out);
   warn_of_creepage(r, out);
   warn_of_head(asked, r, out);
   warn_of_kinetic_friction(r.problem, out);
   warn_of_convergence(r.result, out);
-  if (!is_closed_form(r.model) && !r.result.touches_border)
+  if (!is_closed_form(r.choice.model) && !r.result.trust.touches_border)
     warn_of_large_elements(r, out);
   return out;
 }
 
 void warn_of_model(SceneResult& out) {
-  if (!out.model_enough)
-    out.warnings.push_back("the finite-element model is needed here: " + out.why_this_model);
+  if (!out.choice.enough)
+    out.warnings.push_back("the finite-element model is needed here: " + out.choice.why_this_model);
 }
 
 void take_choice(const SceneResult& chosen, SceneResult& out) {
-  out.why_this_model = chosen.why_this_model;
-  out.model_enough = chosen.model_enough;
+  out.choice.why_this_model = chosen.choice.why_this_model;
+  out.choice.enough = chosen.choice.enough;
   warn_of_model(out);
 }
 
 void warn_of_accuracy(const SceneFile::Grid& asked, const std::string& why, SceneResult& out) {
-  const double error = asked_error(asked, out);
-  if (!asked.accuracy || !out.result.converged || error <= *asked.accuracy)
+  const double error = asked_error(asked, out.result);
+  if (!asked.accuracy || !out.result.certified() || error <= *asked.accuracy)
     return;
   out.warnings.push_back(
       fmt::format("the estimated discretisation error reached is {:.2g} %, above the {:.2g} % that "
@@ -192,28 +192,28 @@ void warn_of_accuracy(const SceneFile::Grid& asked, const std::string& why, Scen
 }
 
 void warn_of_lateral(const SceneFile& asked, std::optional<double> at_start, SceneResult& out) {
-  const LateralPosition& found = *out.found_lateral;
-  if (std::isnan(found.error)) {
-    const double likely_error = lateral::uneven * std::hypot(out.result.Fy, out.result.Fz);
+  const LateralPosition& found = *out.motion.found_lateral;
+  if (std::isnan(found.lateral.error)) {
+    const double likely_error = lateral::uneven * std::hypot(out.result.totals.Fy, out.result.totals.Fz);
     if (likely_error > lateral::unsure * std::abs(found.slope))
       out.warnings.push_back(fmt::format(
           "load.force_y says little of the lateral displacement (Fy changes by {:.3g} N per mm at "
           "{:.2f} mm, and its error is not known) Give position.lateral without load.force_y, or "
           "smaller elements.",
-          found.slope, found.lateral));
+          found.slope, found.lateral.value));
     return;
   }
-  if (found.error <= lateral::unsure)
+  if (found.lateral.error <= lateral::unsure)
     return;
-  const double force_error = out.result.discretisation->errors.Fy;
+  const double force_error = out.result.totals.Fy.error;
   out.warnings.push_back(
       fmt::format("load.force_y says little of the lateral displacement (Fy is known to {:.2g} N and changes "
                   "by {:.3g} N per "
                   "mm: {:.2f} +- {:.2g} mm) Give position.lateral without load.force_y, or smaller elements.",
-                  force_error, found.slope, found.lateral, found.error));
+                  force_error, found.slope, found.lateral.value, found.lateral.error));
   const double start = asked.position.lateral;
   if (at_start && std::abs(*at_start - *asked.load.force_y) <= force_error &&
-      std::abs(start - found.lateral) > found.error)
+      std::abs(start - found.lateral) > found.lateral.error)
     out.warnings.push_back(
         fmt::format("position.lateral bears load.force_y within its error, too (Fy {:.6g} N at "
                     "{:.2f} mm) Solve it without load.force_y if it is meant.",

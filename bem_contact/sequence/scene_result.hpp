@@ -46,43 +46,33 @@ struct PhaseSeconds {
 /// Steady rolling in which the wheel transmits no longitudinal force (Fx = 0); everything else is as
 /// prescribed.
 struct FreeRolling {
-  double xi = 0;                   ///< its creepage, counted as SceneResult::xi is
-  double rolling_radius = 0;       ///< forward over angular speed of the wheel, mm
-  double xi_error = unknown_error; ///< of the creepage, by the size of the elements
-  double contact_radius = 0;       ///< SceneResult::contact_radius, mm
+  Measured xi;               ///< its creepage, counted as SceneMotion::xi is
+  double rolling_radius = 0; ///< forward over angular speed of the wheel, mm
+  double contact_radius = 0; ///< SceneMotion::contact_radius, mm
 
-  double radius_error() const { return rolling_radius * xi_error / (1 - xi); } ///< mm
+  /// The rolling radius with its error, mm.
+  Measured radius() const { return {rolling_radius, rolling_radius * xi.error / (1 - xi)}; }
 };
 
 /// Says where the wheelset stands so that the lateral force is load.force_y.
 struct LateralPosition {
-  double lateral = 0;           ///< position.lateral, mm
-  double slope = 0;             ///< dFy/dy there, N/mm
-  double error = unknown_error; ///< of the displacement, mm: so far away Fy is the same within its own error
+  Measured lateral; ///< position.lateral, mm: as far away as its error Fy is the same within its own
+  double slope = 0; ///< dFy/dy there, N/mm
   std::vector<double> others; ///< others with the same force, to some tenths of a millimetre, mm; looked for
                               ///< where the start is none
 };
 
-/// Mz about the vertical axis through the reference point, N mm.
-inline double moment_about(const ReferencePoint& reference, const ContactResult& result) {
-  return result.Mz + reference.position.y * result.Fx - reference.x * result.Fy;
-}
+/// The model that a scene is solved with, and why: two short sentences at most.
+struct ModelChoice {
+  Model model = Model::halfspace; ///< the one
+  std::string why_this_model;     ///< in words
+  bool enough = true; ///< false: fem would be needed, and it cannot be taken; `why_this_model` says why
+};
 
-/// One scene solved with one model.
-struct SceneResult {
-  Model model = Model::halfspace; ///< that it was solved with
-  std::string why_this_model;     ///< why this model, in a sentence
-  bool model_enough =
-      true; ///< false: finite elements would be needed, and cannot be taken; `why_this_model` says why
-  ContactProblem problem; ///< grid, rows (wheel_rail: track frame), undeformed distance, rigid slip; without
-                          ///< the values of the influence numbers
-  SurfaceLayer layer;     ///< between the bodies, as given or found for layer.slope
-  ContactResult result;   ///< of the last step
-  std::vector<ContactResult> history;   ///< transient and shift: of every step
-  std::vector<PatchPlace> patch_places; ///< of result.patches, in their order
-  ReferencePoint reference;             ///< of approach, creepages and moment
-  bool left = false;                    ///< left wheel: y and s are counted to the left (placement.hpp)
-  double moment = 0;                    ///< moment_about() the reference point, N mm
+/// Where the wheel stands, and how it moves over the rail.
+struct SceneMotion {
+  ReferencePoint reference;      ///< of approach, creepages and moment
+  bool left = false;             ///< left wheel: y and s are counted to the left (placement.hpp)
   std::optional<double> lateral; ///< wheel_rail: position.lateral, mm: given, or found for load.force_y
   std::optional<LateralPosition> found_lateral; ///< where load.force_y is given
   /// Creepages at the reference point, with what was found for prescribed forces. wheel_rail: xi is counted
@@ -95,27 +85,54 @@ struct SceneResult {
   /// wheel_rail: radius_at() of the contact, mean weighted with the pressure, mm. 0 of a patch. A slip w_x of
   /// the whole contact is that of the creepage xi = w_x rolling_radius / contact_radius.
   double contact_radius = 0;
-  std::optional<FreeRolling>
-      free_rolling; ///< wheel_rail, steady with friction, unless the scene leaves it out
+  /// wheel_rail, steady with friction, unless the scene leaves it out.
+  std::optional<FreeRolling> free_rolling;
+};
+
+/// What outputs say of the two bodies.
+struct SceneBodies {
   double rail_poisson = Material{}.poisson; ///< of the rail (patch: of the lower body), for stresses in it
   /// ProfileCurve::digest() of both profiles, as influence files have it; 0 of a patch.
   std::uint64_t rail_geometry = 0, wheel_geometry = 0;
   std::vector<double> wheel_s; ///< station on the upper body of each row, mm; empty where it has none
   std::vector<Point2> rail_profile, wheel_profile; ///< Outlines: at approach 0, frame of the rows, mm
-  std::optional<StressesBelow> stresses;           ///< where the scene asks for them
+};
+
+/// One scene solved with one model.
+struct SceneResult {
+  ModelChoice choice;     ///< that it was solved with
+  ContactProblem problem; ///< grid, rows (wheel_rail: track frame), undeformed distance, rigid slip; without
+                          ///< the values of the influence numbers
+  SurfaceLayer layer;     ///< between the bodies, as given or found for layer.slope
+  ContactResult result;   ///< of the last step
+  std::vector<ContactResult> history;        ///< transient and shift: of every step
+  std::vector<PatchPlace> patch_places;      ///< of result.patches, in their order
+  SceneMotion motion;                        ///< of the wheel over the rail
+  Measured moment;                           ///< Mz about the vertical through the reference point, N mm
+  SceneBodies bodies;                        ///< as outputs show them
+  std::optional<StressesBelow> stresses;     ///< where the scene asks for them
+  std::optional<Conformity> conformity;      ///< wheel_rail: of the rigid bodies at this displacement
+  std::optional<StructuralResult> structure; ///< fem with structural compliance of at least one body
   /// Says in words: the approach is the relative displacement of these points of the two bodies. Approaches
   /// with different datums must not be compared.
   std::string approach_datum;
-  std::string track;                         ///< where wheel and rail stand (track_text()); "" of a patch
-  std::optional<Conformity> conformity;      ///< wheel_rail: of the rigid bodies at this displacement
-  std::optional<StructuralResult> structure; ///< fem with structural compliance of at least one body
-  std::vector<std::string> warnings;         ///< what to know before the numbers are used
-  PhaseSeconds seconds;                      ///< what the call took
+  std::string track;                 ///< where wheel and rail stand (track_text()); "" of a patch
+  std::vector<std::string> warnings; ///< what to know before the numbers are used
+  PhaseSeconds seconds;              ///< what the call took
 };
+
+/// Mz about the vertical axis through the reference point with its error, N mm.
+inline Measured moment_about(const ReferencePoint& reference, const ContactResult& result) {
+  const double x = reference.x, y = reference.position.y;
+  const ContactTotals& totals = result.totals;
+  const auto& estimate = result.trust.discretisation;
+  return {totals.Mz + y * totals.Fx - x * totals.Fy,
+          estimate ? estimate->moment_error(totals, x, y) : unknown_error};
+}
 
 /// Says whether every step is a solution, the last one by its certificate.
 inline bool certified(const SceneResult& r) {
-  return r.result.certificate.holds() && std::ranges::all_of(r.history, &ContactResult::converged);
+  return r.result.certified() && std::ranges::all_of(r.history, &ContactResult::certified);
 }
 
 } // namespace bem_contact

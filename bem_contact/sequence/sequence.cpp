@@ -61,8 +61,8 @@ SceneFile rough_scene(const SceneFile& scene) {
 }
 
 std::optional<double> lateral_force_of(const SceneResult& solved) {
-  const bool known = solved.result.converged && !solved.result.patches.empty();
-  return known ? std::optional(solved.result.Fy) : std::nullopt;
+  const bool known = solved.result.certified() && !solved.result.patches.empty();
+  return known ? std::optional(solved.result.totals.Fy) : std::nullopt;
 }
 
 } // namespace
@@ -194,8 +194,9 @@ const FormerSolution* Sequence::Impl::start_for(const std::vector<PotentialArea>
 }
 
 void Sequence::Impl::remember(const SceneResult& result, const ContactEstimate& estimate) {
-  former_ = options_.ablation.keep_start ? former_of(result.model, result.problem, result.result, estimate)
-                                         : std::nullopt;
+  former_ = options_.ablation.keep_start
+                ? former_of(result.choice.model, result.problem, result.result, estimate)
+                : std::nullopt;
 }
 
 std::optional<double> Sequence::Impl::rough_lateral_force(SceneFile scene, double lateral,
@@ -239,8 +240,7 @@ SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const
   const std::optional<double> force_there = first ? lateral_force_of(*first) : std::nullopt;
   const bool is_there = force_there && search.met(*force_there);
   const auto tell = [&](SceneResult& out, double lateral) {
-    const double error = out.result.discretisation ? out.result.discretisation->errors.Fy : unknown_error;
-    out.found_lateral = search.describe(lateral, error);
+    out.motion.found_lateral = search.describe(lateral, out.result.totals.Fy.error);
     warn_of_lateral(scene, is_there ? force_there : search.force_at_start(), out);
   };
   if (is_there) {
@@ -262,8 +262,8 @@ SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const
                  ? first
                  : solve_at_position(with_lateral(scene, guess), choosing);
     const ContactGrid& grid = chosen->problem.grid;
-    asked = with_elements(with_model(std::move(asked), chosen->model), grid.dx, grid.ds);
-    if (scene.grid.accuracy && asked_error(scene.grid, *chosen) > *scene.grid.accuracy)
+    asked = with_elements(with_model(std::move(asked), chosen->choice.model), grid.dx, grid.ds);
+    if (scene.grid.accuracy && asked_error(scene.grid, chosen->result) > *scene.grid.accuracy)
       limit = element_size_.limit(grid.dx);
   }
   SceneFile on_the_way = asked;
@@ -271,7 +271,7 @@ SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const
   if (memory.exact != on_the_way)
     memory.known.exact.clear();
   memory.exact = on_the_way;
-  if (force_there && (!choose || chosen->lateral == start))
+  if (force_there && (!choose || chosen->motion.lateral == start))
     search.learn({start, *force_there});
   SceneTask totals = task;
   totals.totals_only = true;

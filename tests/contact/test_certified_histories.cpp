@@ -105,7 +105,7 @@ std::array<double, 7> violations(const Certificate& c) {
 /// Numbers of all pairs of rows written out are summed directly on any grid.
 void expect_the_same_by_slow_sums(ContactProblem problem, const ContactResult& result) {
   problem.numbers = with_every_pair_of_rows(problem.numbers);
-  const auto fast = violations(result.certificate), slow = violations(certify(problem, result));
+  const auto fast = violations(result.trust.certificate), slow = violations(certify(problem, result));
   for (std::size_t i = 0; i < fast.size(); ++i)
     EXPECT_NEAR(fast[i], slow[i], 1e-8 + 1e-6 * slow[i]) << "violation " << i;
 }
@@ -132,11 +132,11 @@ TEST(Certificate, OfRandomHistoriesHoldsOrTheReasonIsTrue) {
     const auto results = solve_history(
         h.problem, 3, [&](int step, ContactProblem& p) { h.prescribe(step, p); }, scenes::without_estimate);
     for (const ContactResult& step : results)
-      if (!step.converged) {
-        EXPECT_THAT(step.solver_note, Not(testing::IsEmpty()));
-        EXPECT_THAT(step.solver_note, Not(HasSubstr("decades apart"))) << "they lie within five";
+      if (!step.certified()) {
+        EXPECT_THAT(step.trust.solver_note, Not(testing::IsEmpty()));
+        EXPECT_THAT(step.trust.solver_note, Not(HasSubstr("decades apart"))) << "they lie within five";
       }
-    certified += std::ranges::all_of(results, &ContactResult::converged);
+    certified += std::ranges::all_of(results, &ContactResult::certified);
     const ContactProblem problem = last_step(h, results);
     transformed += 9.0 * problem.grid.size() * count_elements(results[1]).contact > contact::many_plane_terms;
     expect_the_same_by_slow_sums(problem, results[2]);
@@ -155,17 +155,17 @@ TEST(Certificate, NamesWhatItFinds) {
   SolverOptions rough = scenes::without_estimate;
   rough.tolerance = 1e-3;
   const ContactResult r = solve(problem, rough);
-  ASSERT_FALSE(r.converged);
-  EXPECT_GT(r.certificate.worst(), r.certificate.rounding);
-  EXPECT_THAT(r.solver_note,
+  ASSERT_FALSE(r.certified());
+  EXPECT_GT(r.trust.certificate.worst(), r.trust.certificate.rounding);
+  EXPECT_THAT(r.trust.solver_note,
               HasSubstr("the solvers reached their tolerance, 1e-03, but the certificate finds " +
-                        std::string(r.certificate.worst_name()) + " violated"));
+                        std::string(r.trust.certificate.worst_name()) + " violated"));
   problem.tangential = false;
   problem.force = 1e-30;
   const ContactResult lost = solve(problem, scenes::without_estimate);
-  ASSERT_FALSE(lost.converged);
-  EXPECT_LE(lost.certificate.worst(), lost.certificate.rounding);
-  EXPECT_EQ(lost.solver_note, "digits were lost: lengths, forces or moduli lie too many decades apart");
+  ASSERT_FALSE(lost.certified());
+  EXPECT_LE(lost.trust.certificate.worst(), lost.trust.certificate.rounding);
+  EXPECT_EQ(lost.trust.solver_note, "digits were lost: lengths, forces or moduli lie too many decades apart");
 }
 
 } // namespace

@@ -20,8 +20,8 @@ TEST(Coupling, UnlikeMaterialsConverge) {
   for (const double mu : {0.1, 0.3, 1.0}) {
     scenes::set_creepage(problem, mu, 5e-4, 2e-4, 1e-4);
     const ContactResult result = solve(problem);
-    EXPECT_TRUE(result.converged) << mu << ' ' << result.solver_note;
-    EXPECT_GT(result.outer_iterations, 1);
+    EXPECT_TRUE(result.certified()) << mu << ' ' << result.trust.solver_note;
+    EXPECT_GT(result.effort.outer_iterations, 1);
   }
 }
 
@@ -33,10 +33,10 @@ TEST(Coupling, BodiesMayExchangePlaces) {
   scenes::set_creepage(problem, 0.3, 4e-4, 0, 0);
   scenes::set_creepage(turned, 0.3, -4e-4, 0, 0);
   const ContactResult a = solve(problem), b = solve(turned);
-  ASSERT_TRUE(a.converged && b.converged);
-  EXPECT_NEAR(a.Fx, -b.Fx, 1e-5 * std::abs(a.Fx));
-  EXPECT_GT(std::abs(a.Fx), 0.02 * problem.force);
-  EXPECT_NEAR(a.approach, b.approach, 1e-6 * a.approach);
+  ASSERT_TRUE(a.certified() && b.certified());
+  EXPECT_NEAR(a.totals.Fx, -b.totals.Fx, 1e-5 * std::abs(a.totals.Fx));
+  EXPECT_GT(std::abs(a.totals.Fx), 0.02 * problem.force);
+  EXPECT_NEAR(a.totals.approach, b.totals.approach, 1e-6 * a.totals.approach);
   for (std::size_t i = 0; i < a.pn.size(); ++i)
     EXPECT_NEAR(a.pn[i], b.pn[i], 1e-4 * a.patches[0].pmax) << i;
 }
@@ -45,11 +45,11 @@ TEST(Coupling, EqualMaterialsNeedOneTurn) {
   ContactProblem problem = roller(scenes::steel, scenes::steel, 24);
   scenes::set_creepage(problem, 0.3, 5e-4, 2e-4, 1e-4);
   const ContactResult rolling = solve(problem);
-  ASSERT_TRUE(rolling.converged);
-  EXPECT_EQ(rolling.outer_iterations, 1);
+  ASSERT_TRUE(rolling.certified());
+  EXPECT_EQ(rolling.effort.outer_iterations, 1);
   problem.tangential = false;
   const ContactResult frictionless = solve(problem);
-  EXPECT_NEAR(rolling.approach, frictionless.approach, 1e-9 * rolling.approach);
+  EXPECT_NEAR(rolling.totals.approach, frictionless.totals.approach, 1e-9 * rolling.totals.approach);
 }
 
 /// Shear moduli that differ by 1e-8 couple above rounding, and the bound of what shear does tells that a
@@ -68,14 +68,14 @@ TEST(Coupling, BelowTheToleranceNeedsOneTurn) {
   };
   for (const auto& [difference, inclination] : {std::pair{1e-8, 0.0}, {0.0, 1e-8}, {1e-8, 1e-8}}) {
     const ContactResult weak = rolling(difference, inclination);
-    EXPECT_EQ(weak.outer_iterations, 1) << difference << ' ' << inclination;
-    EXPECT_TRUE(weak.converged);
-    EXPECT_LT(weak.certificate.worst(), 1e-7);
+    EXPECT_EQ(weak.effort.outer_iterations, 1) << difference << ' ' << inclination;
+    EXPECT_TRUE(weak.certified());
+    EXPECT_LT(weak.trust.certificate.worst(), 1e-7);
   }
   for (const auto& [difference, inclination] : {std::pair{1e-4, 0.0}, {0.0, 1e-4}}) {
     const ContactResult stronger = rolling(difference, inclination);
-    EXPECT_GT(stronger.outer_iterations, 1) << difference << ' ' << inclination;
-    EXPECT_TRUE(stronger.converged);
+    EXPECT_GT(stronger.effort.outer_iterations, 1) << difference << ' ' << inclination;
+    EXPECT_TRUE(stronger.certified());
   }
 }
 
@@ -110,14 +110,14 @@ TEST(Coupling, FreeRollingOfUnlikeBodiesIsNotFreeOfForce) {
   ContactProblem problem = roller({23000, 0.31}, {82000, 0.28}, 24);
   scenes::set_creepage(problem, 0.3, 0, 0, 0);
   const ContactResult result = solve(problem);
-  ASSERT_TRUE(result.converged) << result.solver_note;
+  ASSERT_TRUE(result.certified()) << result.trust.solver_note;
   ContactProblem exchanged = roller({82000, 0.28}, {23000, 0.31}, 24);
   scenes::set_creepage(exchanged, 0.3, 0, 0, 0);
   const ContactResult other = solve(exchanged);
-  ASSERT_TRUE(other.converged);
-  EXPECT_GT(std::abs(result.Fx), 1e-3 * problem.force);
-  EXPECT_NEAR(result.Fx, -other.Fx, 1e-5 * std::abs(result.Fx));
-  EXPECT_NEAR(result.Fy, 0, 1e-6 * problem.force);
+  ASSERT_TRUE(other.certified());
+  EXPECT_GT(std::abs(result.totals.Fx), 1e-3 * problem.force);
+  EXPECT_NEAR(result.totals.Fx, -other.totals.Fx, 1e-5 * std::abs(result.totals.Fx));
+  EXPECT_NEAR(result.totals.Fy, 0, 1e-6 * problem.force);
 }
 
 struct Curved : testing::TestWithParam<double> {};
@@ -133,16 +133,17 @@ TEST_P(Curved, ConvergesAndBalances) {
     scenes::rotate_numbers(problem);
     scenes::set_creepage(problem, mu, 4e-4, 3e-4, 3e-4);
     const ContactResult result = solve(problem);
-    ASSERT_TRUE(result.converged) << mu << ' ' << result.solver_note << result.certificate.worst();
-    EXPECT_NEAR(result.Fz, 30000, 1e-6 * 30000);
-    EXPECT_GT(result.outer_iterations, 1);
+    ASSERT_TRUE(result.certified()) << mu << ' ' << result.trust.solver_note
+                                    << result.trust.certificate.worst();
+    EXPECT_NEAR(result.totals.Fz, 30000, 1e-6 * 30000);
+    EXPECT_GT(result.effort.outer_iterations, 1);
     problem.load = LoadKind::approach;
-    problem.approach = result.approach;
+    problem.approach = result.totals.approach;
     const ContactResult again = solve(problem);
-    ASSERT_TRUE(again.converged) << again.solver_note;
-    EXPECT_NEAR(again.Fz, result.Fz, 1e-5 * result.Fz);
-    EXPECT_NEAR(again.Fx, result.Fx, 1e-5 * result.Fz);
-    EXPECT_NEAR(again.Fy, result.Fy, 1e-5 * result.Fz);
+    ASSERT_TRUE(again.certified()) << again.trust.solver_note;
+    EXPECT_NEAR(again.totals.Fz, result.totals.Fz, 1e-5 * result.totals.Fz);
+    EXPECT_NEAR(again.totals.Fx, result.totals.Fx, 1e-5 * result.totals.Fz);
+    EXPECT_NEAR(again.totals.Fy, result.totals.Fy, 1e-5 * result.totals.Fz);
   }
 }
 
@@ -161,10 +162,12 @@ TEST(Coupling, TiltedProblemIsTheSameProblem) {
     row.delta = delta;
   problem.approach = 0.03 / std::cos(delta);
   const ContactResult tilted = solve(problem);
-  ASSERT_TRUE(flat.converged && tilted.converged);
-  EXPECT_NEAR(tilted.patches[0].fn, flat.Fz, 1e-6 * flat.Fz);
-  EXPECT_NEAR(tilted.Fz, flat.Fz * std::cos(delta) + flat.Fy * std::sin(delta), 1e-6 * flat.Fz);
-  EXPECT_NEAR(tilted.Fy, flat.Fy * std::cos(delta) - flat.Fz * std::sin(delta), 1e-6 * flat.Fz);
+  ASSERT_TRUE(flat.certified() && tilted.certified());
+  EXPECT_NEAR(tilted.patches[0].fn, flat.totals.Fz, 1e-6 * flat.totals.Fz);
+  EXPECT_NEAR(tilted.totals.Fz, flat.totals.Fz * std::cos(delta) + flat.totals.Fy * std::sin(delta),
+              1e-6 * flat.totals.Fz);
+  EXPECT_NEAR(tilted.totals.Fy, flat.totals.Fy * std::cos(delta) - flat.totals.Fz * std::sin(delta),
+              1e-6 * flat.totals.Fz);
 }
 
 } // namespace

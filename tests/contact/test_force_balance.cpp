@@ -104,9 +104,10 @@ TEST(ForceBalance, OnAPlaneThatAllSlipsOnItIsTheClosedForm) {
           continue;
         const ContactProblem problem = sliding(delta, mu, eta);
         const ContactResult result = solve(problem);
-        ASSERT_TRUE(result.converged) << mu << ' ' << eta << ' ' << degrees << ' ' << result.solver_note;
+        ASSERT_TRUE(result.certified())
+            << mu << ' ' << eta << ' ' << degrees << ' ' << result.trust.solver_note;
         EXPECT_NEAR(pressure_force(problem, result), problem.force / share, 1e-6 * problem.force / share);
-        EXPECT_LE(result.outer_iterations, 5) << mu << ' ' << eta << ' ' << degrees;
+        EXPECT_LE(result.effort.outer_iterations, 5) << mu << ' ' << eta << ' ' << degrees;
       }
 }
 
@@ -125,8 +126,8 @@ TEST(ForceBalance, AWheelThatWedgesItselfIsRefused) {
   by_approach.load = LoadKind::approach;
   by_approach.approach = 0.02;
   const ContactResult result = solve(by_approach);
-  EXPECT_TRUE(result.converged);
-  EXPECT_LT(result.Fz, 0);
+  EXPECT_TRUE(result.certified());
+  EXPECT_LT(result.totals.Fz, 0);
 }
 
 } // namespace

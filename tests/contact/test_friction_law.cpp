@@ -19,14 +19,14 @@ TEST(FrictionLaw, EachRowHasItsOwnCoefficient) {
   for (const ContactRow& row : problem.rows)
     problem.friction_rows.push_back(row.s < 0 ? 0.1 : 0.4);
   const ContactResult result = solve(problem);
-  ASSERT_TRUE(result.converged) << result.solver_note;
+  ASSERT_TRUE(result.certified()) << result.trust.solver_note;
   double expected = 0;
   for (int i = 0; i < problem.grid.size(); ++i) {
     const double bound = problem.friction_of(i / problem.grid.mx) * result.pn[i];
     EXPECT_NEAR(std::hypot(result.px[i], result.ps[i]), bound, 1e-6 * 0.4 * result.patches[0].pmax);
     expected += bound * problem.element_area();
   }
-  EXPECT_NEAR(result.Fx, expected, 0.001 * expected);
+  EXPECT_NEAR(result.totals.Fx, expected, 0.001 * expected);
   EXPECT_NEAR(expected, 0.25 * problem.force, 1e-3 * problem.force) << "half of the patch with each";
 }
 
@@ -37,10 +37,10 @@ TEST(FrictionLaw, OneCoefficientForAllRowsIsTheSame) {
   problem.friction = 7;
   problem.friction_rows.assign(problem.grid.ms, 0.3);
   const ContactResult each = solve(problem);
-  ASSERT_TRUE(one.converged && each.converged);
-  ASSERT_TRUE(one.discretisation && each.discretisation);
-  EXPECT_NEAR(each.Fx, one.Fx, 1e-9 * one.Fx);
-  EXPECT_NEAR(each.discretisation->tangential, one.discretisation->tangential, 1e-9);
+  ASSERT_TRUE(one.certified() && each.certified());
+  ASSERT_TRUE(one.trust.discretisation && each.trust.discretisation);
+  EXPECT_NEAR(each.totals.Fx, one.totals.Fx, 1e-9 * one.totals.Fx);
+  EXPECT_NEAR(each.trust.discretisation->tangential, one.trust.discretisation->tangential, 1e-9);
 }
 
 /// On a flange the forces jump with every element that starts to slip, and outer iterations begin with rough
@@ -55,8 +55,9 @@ TEST(FrictionLaw, SlipIsKineticOnAFlange) {
   for (const double xi : {2e-3, 3e-3}) {
     scenes::set_creepage(problem, 0.5, xi, 2e-3, 0);
     const ContactResult result = solve(problem, scenes::without_estimate);
-    EXPECT_TRUE(result.converged) << xi << ' ' << result.certificate.worst() << ' ' << result.solver_note;
-    EXPECT_LT(result.outer_iterations, 25) << xi;
+    EXPECT_TRUE(result.certified()) << xi << ' ' << result.trust.certificate.worst() << ' '
+                                    << result.trust.solver_note;
+    EXPECT_LT(result.effort.outer_iterations, 25) << xi;
   }
 }
 
@@ -67,12 +68,12 @@ TEST(FrictionLaw, SlipIsKinetic) {
   const ContactResult stronger = solve(problem);
   problem.kinetic = 0.75;
   const ContactResult result = solve(problem);
-  ASSERT_TRUE(result.converged) << result.solver_note << result.certificate.worst();
+  ASSERT_TRUE(result.certified()) << result.trust.solver_note << result.trust.certificate.worst();
   problem.friction = 0.3;
   problem.kinetic = 1;
   const ContactResult weaker = solve(problem);
-  EXPECT_GT(result.Fx, weaker.Fx);
-  EXPECT_LT(result.Fx, stronger.Fx);
+  EXPECT_GT(result.totals.Fx, weaker.totals.Fx);
+  EXPECT_LT(result.totals.Fx, stronger.totals.Fx);
   int beyond_kinetic = 0;
   for (int i = 0; i < problem.grid.size(); ++i) {
     const double shear = std::hypot(result.px[i], result.ps[i]), pmax = result.patches[0].pmax;
@@ -91,8 +92,8 @@ TEST(FrictionLaw, KineticFullSlip) {
   problem.kinetic = 0.5;
   scenes::set_creepage(problem, 0.4, 0, -0.03, 0);
   const ContactResult result = solve(problem);
-  ASSERT_TRUE(result.converged) << result.solver_note;
-  EXPECT_NEAR(result.Fy, -0.2 * problem.force, 1e-3 * problem.force);
+  ASSERT_TRUE(result.certified()) << result.trust.solver_note;
+  EXPECT_NEAR(result.totals.Fy, -0.2 * problem.force, 1e-3 * problem.force);
 }
 
 TEST(FrictionLaw, WrongOnesAreRefused) {
@@ -117,14 +118,14 @@ TEST(FrictionLaw, DisplacementsAndPowerBelongToTheResult) {
   problem.force = 15000;
   scenes::set_creepage(problem, 0.3, 7e-4, 2e-4, 1e-4);
   const ContactResult result = solve(problem, {.estimate_discretisation = false, .displacements = true});
-  ASSERT_TRUE(result.converged);
+  ASSERT_TRUE(result.certified());
   const Displacements& u = result.displacements;
   const ContactResult without = solve(problem, {.estimate_discretisation = false});
   EXPECT_TRUE(without.displacements.un.empty());
-  EXPECT_EQ(without.certificate.worst(), result.certificate.worst());
+  EXPECT_EQ(without.trust.certificate.worst(), result.trust.certificate.worst());
   const std::vector<double> power = friction_work_density(result);
   for (int i = 0; i < problem.grid.size(); ++i) {
-    EXPECT_NEAR(result.deformed_distance[i], problem.gap[i] - result.approach - u.un[i], 1e-9);
+    EXPECT_NEAR(result.deformed_distance[i], problem.gap[i] - result.totals.approach - u.un[i], 1e-9);
     EXPECT_GE(power[i], -1e-9) << "slip never feeds power in";
     if (result.state[i] == ElementState::slip) {
       const double slip = std::hypot(result.slip_x[i], result.slip_s[i]);

@@ -31,17 +31,17 @@ TEST(History, FromCattaneoToCarterByForce) {
     problem.motion = MotionKind::shift;
     problem.force_x = 0.64 * friction * normal_force;
     const ContactResult shifted = solve(problem, scenes::without_estimate);
-    ASSERT_TRUE(shifted.converged);
+    ASSERT_TRUE(shifted.certified());
     problem.motion = MotionKind::transient;
     problem.previous = {tractions_of(shifted)};
     const auto steps = solve_history(
         problem, 3 * across, [](int, ContactProblem&) {}, scenes::without_estimate);
     for (const ContactResult& step : steps) {
-      ASSERT_TRUE(step.converged) << step.solver_note;
-      EXPECT_NEAR(step.Fx, *problem.force_x, 1e-6 * *problem.force_x);
+      ASSERT_TRUE(step.certified()) << step.trust.solver_note;
+      EXPECT_NEAR(step.totals.Fx, *problem.force_x, 1e-6 * *problem.force_x);
     }
-    EXPECT_LT(steps.front().creepage_x, 0.6 * carter_creepage) << "a transient it is";
-    const double error = std::abs(steps.back().creepage_x / carter_creepage - 1);
+    EXPECT_LT(steps.front().totals.creepage_x, 0.6 * carter_creepage) << "a transient it is";
+    const double error = std::abs(steps.back().totals.creepage_x / carter_creepage - 1);
     if (previous > 0) {
       EXPECT_LT(error, 0.65 * previous) << across;
     }
@@ -60,11 +60,11 @@ TEST(History, EndsInTheSteadyState) {
   const auto steps = solve_history(
       problem, 45, [](int, ContactProblem&) {}, scenes::without_estimate);
   for (const ContactResult& step : steps)
-    ASSERT_TRUE(step.converged) << step.solver_note;
-  EXPECT_LT(steps.front().Fy, 0.3 * steady.Fy);
-  EXPECT_NEAR(steps.back().Fx, steady.Fx, 0.005 * steady.Fy);
-  EXPECT_NEAR(steps.back().Fy, steady.Fy, 0.005 * steady.Fy);
-  EXPECT_NEAR(steps.back().Mz, steady.Mz, 0.005 * steady.Mz);
+    ASSERT_TRUE(step.certified()) << step.trust.solver_note;
+  EXPECT_LT(steps.front().totals.Fy, 0.3 * steady.totals.Fy);
+  EXPECT_NEAR(steps.back().totals.Fx, steady.totals.Fx, 0.005 * steady.totals.Fy);
+  EXPECT_NEAR(steps.back().totals.Fy, steady.totals.Fy, 0.005 * steady.totals.Fy);
+  EXPECT_NEAR(steps.back().totals.Mz, steady.totals.Mz, 0.005 * steady.totals.Mz);
 }
 
 /// One step by dx: on a grid that moves, and on one that lies still while the contact moves over it.
@@ -85,8 +85,8 @@ TEST(History, MovingAndFixedGridAreTheSameStep) {
   }
   scenes::set_creepage(fixed, friction, carter_creepage * problem.grid.dx, 0, 0);
   const ContactResult still = solve(fixed, scenes::without_estimate);
-  ASSERT_TRUE(moving.converged && still.converged);
-  EXPECT_NEAR(still.Fx, moving.Fx, 1e-6 * moving.Fx);
+  ASSERT_TRUE(moving.certified() && still.certified());
+  EXPECT_NEAR(still.totals.Fx, moving.totals.Fx, 1e-6 * moving.totals.Fx);
   for (int ix = 0; ix + 1 < mx; ++ix)
     EXPECT_NEAR(still.px[ix + 1], moving.px[ix], 1e-5 * friction * moving.patches[0].pmax);
 }
@@ -101,10 +101,11 @@ TEST(History, ShiftThereAndBack) {
   const auto steps = solve_history(
       problem, 2, [&](int k, ContactProblem& p) { p.force_x = k == 0 ? there : 0.0; },
       scenes::without_estimate);
-  ASSERT_TRUE(steps[0].converged && steps[1].converged) << steps[1].solver_note;
+  ASSERT_TRUE(steps[0].certified() && steps[1].certified()) << steps[1].trust.solver_note;
   // Mindlin and Deresiewicz 1953: unloading slips in from the edge by half of the force's change
   const auto shift = [&](double force) { return 1 - std::pow(1 - force / (0.4 * problem.force), 2.0 / 3); };
-  EXPECT_NEAR(steps[1].creepage_x / steps[0].creepage_x, -2 * shift(there / 2) / shift(there), 0.01);
+  EXPECT_NEAR(steps[1].totals.creepage_x / steps[0].totals.creepage_x, -2 * shift(there / 2) / shift(there),
+              0.01);
   EXPECT_GT(steps[1].patches[0].slip, 0);
 }
 
@@ -129,7 +130,7 @@ TEST(History, Spence) {
         problem, steps, [&](int k, ContactProblem& p) { p.force = force * std::pow((k + 1.0) / steps, 3); },
         scenes::without_estimate);
     for (const ContactResult& step : results)
-      ASSERT_TRUE(step.converged) << step.solver_note << step.certificate.worst();
+      ASSERT_TRUE(step.certified()) << step.trust.solver_note << step.trust.certificate.worst();
     const ContactResult& last = results.back();
     double stick = 0;
     for (const ElementState state : last.state)

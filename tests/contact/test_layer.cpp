@@ -20,7 +20,7 @@ constexpr double pi = std::numbers::pi;
 
 ContactResult certified(const ContactProblem& problem, SolverOptions options = scenes::without_estimate) {
   ContactResult result = solve(problem, options);
-  EXPECT_TRUE(result.converged) << result.solver_note << ' ' << result.certificate.worst();
+  EXPECT_TRUE(result.certified()) << result.trust.solver_note << ' ' << result.trust.certificate.worst();
   return result;
 }
 
@@ -78,7 +78,7 @@ TEST(Layer, OfStiffBodiesIsTheSimplifiedTheoryOfAStrip) {
       scenes::set_creepage(stiff.problem, stiff.friction, -stiff.creepage(tau), 0, 0);
       const ContactResult r = certified(stiff.problem);
       const double exact = row_force(tau, 1) * stiff.friction * stiff.p0 * stiff.a,
-                   error = std::abs(r.Fx) / exact - 1;
+                   error = std::abs(r.totals.Fx) / exact - 1;
       EXPECT_LT(std::abs(error), 8.0 / (across * across)) << tau;
       if (before != 0) {
         EXPECT_GT(order_of(before, error), 1.9) << tau << ' ' << across;
@@ -95,7 +95,7 @@ TEST(Layer, OfStiffBodiesIsTheSimplifiedTheoryOfAnEllipse) {
       scenes::set_creepage(stiff.problem, stiff.friction, -stiff.creepage(tau), 0, 0);
       const ContactResult r = certified(stiff.problem);
       const double exact = ellipse_force(tau) * stiff.friction * stiff.p0 * stiff.a * stiff.b,
-                   error = std::abs(r.Fx) / exact - 1;
+                   error = std::abs(r.totals.Fx) / exact - 1;
       EXPECT_LT(std::abs(error), 0.4 / across) << tau;
     }
 }
@@ -110,8 +110,8 @@ TEST(Layer, OfStiffBodiesWithoutSlipHasKalkersForces) {
     const ContactResult r = certified(stiff.problem);
     const double a = stiff.a, b = stiff.b, l = stiff.compliance, linear = 8 * a * a * b / (3 * l);
     const double fx = linear * xi, fs = linear * eta + pi * a * a * a * b * phi / (4 * l);
-    EXPECT_NEAR(r.Fx, fx, 0.6 / across * fx);
-    EXPECT_NEAR(r.Fs, fs, 0.8 / across * fs);
+    EXPECT_NEAR(r.totals.Fx, fx, 0.6 / across * fx);
+    EXPECT_NEAR(r.totals.Fs, fs, 0.8 / across * fs);
   }
 }
 
@@ -187,7 +187,7 @@ TEST(Layer, IsLinearWhereItIsThin) {
                                clean.numbers.at(0, 0, component_s, 0, component_s));
   const auto forces = [&](double share) {
     const ContactResult r = certified(layered(share * self));
-    return std::array{r.Fx, r.Fs, r.Mz};
+    return std::array<double, 3>{r.totals.Fx, r.totals.Fs, r.totals.Mz};
   };
   const auto none = forces(0), half = forces(0.05), whole = forces(0.1);
   for (int k = 0; k < 3; ++k) {
@@ -303,8 +303,8 @@ TEST(Layer, OfTheLocomotiveIsTheDenseSolution) {
     problem.falling = {exponential_friction(0.14, 0.19, 1250)};
     add_layer({{1.52e-4}, 0}, problem.numbers);
     const ContactResult r = certified(problem);
-    EXPECT_NEAR(r.Fx / 106700 / dense_locomotive(xi, 1.52e-4), 1, 0.01) << xi;
-    EXPECT_NEAR(r.Fx / 106700, ratio, 0.025 * ratio) << xi;
+    EXPECT_NEAR(r.totals.Fx / 106700 / dense_locomotive(xi, 1.52e-4), 1, 0.01) << xi;
+    EXPECT_NEAR(r.totals.Fx / 106700, ratio, 0.025 * ratio) << xi;
   }
 }
 
@@ -324,13 +324,13 @@ TEST(Layer, OfRowsIsOneOfAllRowsWhereTheyAreAlike) {
   ContactProblem rows = layered(0), one = layered(2e-5);
   add_layer({std::vector<double>(22, 2e-5), 0}, rows.numbers);
   EXPECT_TRUE(rows.numbers.translational);
-  EXPECT_EQ(certified(rows).Fx, certified(one).Fx);
+  EXPECT_EQ(certified(rows).totals.Fx, certified(one).totals.Fx);
   ContactProblem uneven = layered(0);
   std::vector<double> compliances(22, 2e-5);
   compliances[3] *= 1 + 1e-9;
   add_layer({compliances, 0}, uneven.numbers);
   EXPECT_FALSE(uneven.numbers.translational);
-  EXPECT_NEAR(certified(uneven).Fx, certified(one).Fx, 1e-5 * certified(one).Fx);
+  EXPECT_NEAR(certified(uneven).totals.Fx, certified(one).totals.Fx, 1e-5 * certified(one).totals.Fx);
 }
 
 TEST(Layer, IsRefusedWhereItIsNone) {
@@ -382,18 +382,18 @@ TEST(Layer, OfRandomContactsIsCertified) {
           w *= 0.5; // mm
     for (const ContactResult& step : solve_history(
              problem, 4, [](int, ContactProblem&) {}, scenes::without_estimate))
-      EXPECT_TRUE(step.converged) << step.solver_note << step.certificate.worst();
+      EXPECT_TRUE(step.certified()) << step.trust.solver_note << step.trust.certificate.worst();
   }
 }
 
 /// Rolling of a layer from rest becomes steady rolling.
 TEST(Layer, TransientBecomesSteady) {
   ContactProblem problem = layered(5e-5);
-  const double steady = certified(problem).Fx;
+  const double steady = certified(problem).totals.Fx;
   problem.motion = MotionKind::transient;
   const auto history = solve_history(
       problem, 150, [](int, ContactProblem&) {}, scenes::without_estimate);
-  EXPECT_NEAR(history.back().Fx, steady, 1e-5 * steady);
+  EXPECT_NEAR(history.back().totals.Fx, steady, 1e-5 * steady);
 }
 
 /// Iterations with a layer are about those without: the systems get better conditioned.
@@ -401,7 +401,7 @@ TEST(Layer, CostsNoMoreIterations) {
   const ContactResult clean = certified(layered(0));
   for (const double compliance : {1e-7, 1e-6, 1e-5, 1e-4, 1e-3}) {
     const ContactResult r = certified(layered(compliance, 0.3, 1 + 5e4 * compliance));
-    EXPECT_LE(r.work, 2.5 * clean.work) << compliance;
+    EXPECT_LE(r.effort.work, 2.5 * clean.effort.work) << compliance;
   }
 }
 

@@ -60,8 +60,8 @@ TEST(Lines, OfUnlikeRollersWithAForceTakeTheirTime) {
   for (int k = 0; k < tests::alike(40); ++k) {
     const ContactProblem problem = random_rollers(random);
     const ContactResult r = solve(problem, scenes::without_estimate);
-    ASSERT_TRUE(r.converged) << k << ' ' << r.solver_note << r.certificate.worst();
-    work.push_back(r.work);
+    ASSERT_TRUE(r.certified()) << k << ' ' << r.trust.solver_note << r.trust.certificate.worst();
+    work.push_back(r.effort.work);
   }
   std::ranges::sort(work);
   EXPECT_LT(work.back(), 10 * work[work.size() / 2]);

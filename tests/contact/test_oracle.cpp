@@ -269,14 +269,14 @@ TEST(Oracle, TwoAreasFarApartAreSolvedAtOnce) {
   problem.gap = both;
   problem.force = 1e5;
   const ContactResult two = solve(problem);
-  ASSERT_TRUE(alone.converged && two.converged) << two.solver_note;
+  ASSERT_TRUE(alone.certified() && two.certified()) << two.trust.solver_note;
   ASSERT_EQ(two.patches.size(), 2u);
   EXPECT_NEAR(two.patches[0].fn, two.patches[1].fn, 1e-4 * two.patches[0].fn);
-  EXPECT_NEAR(two.patches[0].fn, alone.Fz, 1e-4 * alone.Fz);
+  EXPECT_NEAR(two.patches[0].fn, alone.totals.Fz, 1e-4 * alone.totals.Fz);
   // (1 - nu) / (2 pi G r) of each body under the other's force
   const double pressed = 2 * (1 - 0.28) / (2 * std::numbers::pi * 82000 * 2 * apart) * 5e4;
-  EXPECT_NEAR(two.approach - alone.approach, pressed, 0.03 * pressed);
-  EXPECT_NEAR(two.Fx, 2 * alone.Fx, 0.01 * std::abs(two.Fx));
+  EXPECT_NEAR(two.totals.approach - alone.totals.approach, pressed, 0.03 * pressed);
+  EXPECT_NEAR(two.totals.Fx, 2 * alone.totals.Fx, 0.01 * std::abs(two.totals.Fx));
 }
 
 /// The inverses of the two factors, one after the other, undo A, the better the farther away the border of
@@ -332,7 +332,8 @@ TEST(Oracle, CoupledRollingOnRandomNumbers) {
     const ContactProblem problem = random_problem(random);
     const Tractions expected = relax(problem);
     const ContactResult result = solve(problem);
-    ASSERT_TRUE(result.converged) << k << ' ' << result.solver_note << ' ' << result.certificate.worst();
+    ASSERT_TRUE(result.certified()) << k << ' ' << result.trust.solver_note << ' '
+                                    << result.trust.certificate.worst();
     for (int i = 0; i < problem.grid.size(); ++i) {
       EXPECT_NEAR(result.px[i], expected.p[0][i], 1e-5) << k;
       EXPECT_NEAR(result.ps[i], expected.p[1][i], 1e-5) << k;
@@ -352,15 +353,15 @@ TEST(Oracle, ForceIsTheInverseOfApproach) {
   for (int k = 0; k < 60; ++k) {
     ContactProblem problem = random_problem(random);
     const ContactResult at_approach = solve(problem);
-    ASSERT_TRUE(at_approach.converged) << k;
-    if (at_approach.Fz <= 0.01)
+    ASSERT_TRUE(at_approach.certified()) << k;
+    if (at_approach.totals.Fz <= 0.01)
       continue;
     problem.load = LoadKind::force;
-    problem.force = at_approach.Fz;
+    problem.force = at_approach.totals.Fz;
     const ContactResult at_force = solve(problem);
-    ASSERT_TRUE(at_force.converged) << k << ' ' << at_force.solver_note << ' '
-                                    << at_force.certificate.worst();
-    EXPECT_NEAR(at_force.Fz, problem.force, 1e-6 * problem.force);
+    ASSERT_TRUE(at_force.certified())
+        << k << ' ' << at_force.trust.solver_note << ' ' << at_force.trust.certificate.worst();
+    EXPECT_NEAR(at_force.totals.Fz, problem.force, 1e-6 * problem.force);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "bem_contact/contact/result.hpp"
+#include "bem_contact/contact/totals.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,6 +18,9 @@ struct Pressed {
     problem.grid = {.mx = 3, .ms = 4, .dx = 2, .ds = 0.5};
     problem.numbers.dx = 2;
     problem.friction_rows = {0.1, 0.2, 0.3, 0.4};
+    for (int row = 0; row < 4; ++row)
+      problem.rows.push_back({.s = 0.5 * row, .position = {0.5 * row, 0}});
+    problem.gap.assign(12, 0.0);
     for (const double p : pn)
       result.state.push_back(p > 0 ? ElementState::slip : ElementState::exterior);
     result.pn = std::move(pn);
@@ -47,10 +50,12 @@ TEST(ContactResult, NoShearForceIsLargerThanTheFrictionBound) {
 TEST(ContactResult, WithoutSlipFrictionHasNoPower) {
   Pressed p(std::vector<double>(12, 1.0));
   p.result.px = p.result.ps = std::vector<double>(12, 0.1);
-  EXPECT_EQ(T_gamma(p.result, 1), 0);
+  set_totals(p.problem, p.result);
+  EXPECT_EQ(p.result.totals.T_gamma, 0);
   p.result.slip_x.assign(12, 0.5);
   p.result.slip_s.assign(12, -0.2);
-  EXPECT_NEAR(T_gamma(p.result, 1), 12 * (0.1 * 0.5 - 0.1 * 0.2), 1e-15);
+  set_totals(p.problem, p.result);
+  EXPECT_NEAR(p.result.totals.T_gamma, 12 * (0.1 * 0.5 - 0.1 * 0.2), 1e-15);
 }
 
 } // namespace

@@ -162,8 +162,8 @@ void compare(const ContactProblem& problem, Seen& seen) {
   options.tolerance = 1e-10;
   options.estimate_discretisation = false;
   const ContactResult result = solve(problem, options);
-  if (!result.converged)
-    RC_FAIL("not certified: " + result.solver_note);
+  if (!result.certified())
+    RC_FAIL("not certified: " + result.trust.solver_note);
   const textbook::Solution expected = textbook::solve(problem);
   if (!expected.found)
     RC_FAIL("the textbook did not end");
@@ -172,12 +172,12 @@ void compare(const ContactProblem& problem, Seen& seen) {
   ++seen.compared;
   if (pmax == 0) {
     ++seen.without_contact;
-    RC_ASSERT(result.Fz == 0);
+    RC_ASSERT(result.totals.Fz == 0);
     return;
   }
-  if (result.Fz > 0) // steep rows with friction: it may well point up
-    seen.least = std::min(seen.least, result.Fz);
-  seen.most = std::max(seen.most, result.Fz);
+  if (result.totals.Fz > 0) // steep rows with friction: it may well point up
+    seen.least = std::min(seen.least, result.totals.Fz.value);
+  seen.most = std::max(seen.most, result.totals.Fz.value);
   double apart = 0;
   for (int i = 0; i < n; ++i) {
     apart = std::max({apart, std::abs(result.pn[i] - expected.pn[i]) / pmax,
@@ -187,8 +187,8 @@ void compare(const ContactProblem& problem, Seen& seen) {
     seen.slipping += result.state[i] == ElementState::slip;
   }
   if (!(apart < 1e-6))
-    RC_FAIL(result.tangential_solver + " is off by " + std::to_string(apart));
-  RC_ASSERT(std::abs(result.approach - expected.approach) < 1e-6 * std::abs(expected.approach));
+    RC_FAIL(result.effort.tangential_solver + " is off by " + std::to_string(apart));
+  RC_ASSERT(std::abs(result.totals.approach - expected.approach) < 1e-6 * std::abs(expected.approach));
 }
 
 void have_the_same_tractions(Numbers kind) {
@@ -224,10 +224,10 @@ void solve_wedged(ContactProblem problem, Wedged& seen) {
   options.estimate_discretisation = false;
   try {
     const ContactResult result = solve(problem, options);
-    if (!result.converged)
-      RC_FAIL("not certified: " + result.solver_note);
+    if (!result.certified())
+      RC_FAIL("not certified: " + result.trust.solver_note);
     ++seen.certified;
-    seen.balanced_apart += result.outer_iterations > options.max_outer;
+    seen.balanced_apart += result.effort.outer_iterations > options.max_outer;
   } catch (const InputError& error) {
     ++seen.refused;
     RC_ASSERT(std::string(error.what()).find("No pressure balances") == 0u);

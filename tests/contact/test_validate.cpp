@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(Inputs, Validate, testing::ValuesIn(bad_inputs),
                          [](const auto& test) { return test.param.name; });
 
 TEST(Validate, AcceptsTheSoundProblem) {
-  EXPECT_TRUE(solve(sound()).converged);
+  EXPECT_TRUE(solve(sound()).certified());
 }
 
 TEST(Validate, ResultOfAnotherProblemIsNotCertified) {

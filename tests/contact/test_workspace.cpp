@@ -43,18 +43,18 @@ ContactProblem rolling(bool bent, double force, double creepage) {
 }
 
 void expect_same(const ContactResult& a, const ContactResult& b) {
-  ASSERT_TRUE(a.converged) << a.solver_note;
-  ASSERT_TRUE(b.converged) << b.solver_note;
+  ASSERT_TRUE(a.certified()) << a.trust.solver_note;
+  ASSERT_TRUE(b.certified()) << b.trust.solver_note;
   const double pmax = *std::ranges::max_element(a.pn), share = 1e-6;
   for (std::size_t i = 0; i < a.pn.size(); ++i) {
     EXPECT_NEAR(a.pn[i], b.pn[i], share * pmax);
     EXPECT_NEAR(a.px[i], b.px[i], share * pmax);
     EXPECT_NEAR(a.ps[i], b.ps[i], share * pmax);
   }
-  EXPECT_NEAR(a.approach, b.approach, share * a.approach);
-  ASSERT_EQ(a.discretisation.has_value(), b.discretisation.has_value());
-  if (a.discretisation) {
-    EXPECT_NEAR(a.discretisation->worst(), b.discretisation->worst(), 1e-6);
+  EXPECT_NEAR(a.totals.approach, b.totals.approach, share * a.totals.approach);
+  ASSERT_EQ(a.trust.discretisation.has_value(), b.trust.discretisation.has_value());
+  if (a.trust.discretisation) {
+    EXPECT_NEAR(a.trust.discretisation->worst(), b.trust.discretisation->worst(), 1e-6);
   }
 }
 
@@ -107,16 +107,16 @@ TEST(Workspace, TwoCoresGiveTheSameBits) {
     Workspace workspace(2, threads);
     EXPECT_EQ(workspace.threads(), threads);
     results.push_back(solve(problem, {.displacements = true, .workspace = &workspace}));
-    ASSERT_TRUE(results.back().converged) << results.back().solver_note;
-    ASSERT_TRUE(results.back().discretisation);
+    ASSERT_TRUE(results.back().certified()) << results.back().trust.solver_note;
+    ASSERT_TRUE(results.back().trust.discretisation);
   }
   EXPECT_GT(std::ranges::count_if(results[0].pn, [](double p) { return p > 0; }), 1000);
   EXPECT_EQ(results[0].pn, results[1].pn);
   EXPECT_EQ(results[0].px, results[1].px);
   EXPECT_EQ(results[0].ps, results[1].ps);
   EXPECT_EQ(results[0].displacements.us, results[1].displacements.us);
-  EXPECT_EQ(results[0].certificate.worst(), results[1].certificate.worst());
-  EXPECT_EQ(results[0].discretisation->worst(), results[1].discretisation->worst());
+  EXPECT_EQ(results[0].trust.certificate.worst(), results[1].trust.certificate.worst());
+  EXPECT_EQ(results[0].trust.discretisation->worst(), results[1].trust.discretisation->worst());
 }
 
 TEST(Workspace, OneOtherNumberIsNoticed) {
@@ -137,7 +137,7 @@ TEST(Workspace, WarmStartNeedsFewerSteps) {
   const auto solve_next = [&](bool from_first, bool coarse_start) {
     Workspace workspace;
     const ContactResult first = solve(rolling(true, 40000, 1e-3), {.workspace = &workspace});
-    const StartingPoint start{{first.px, first.ps, first.pn}, first.approach};
+    const StartingPoint start{{first.px, first.ps, first.pn}, first.totals.approach};
     return solve(
         next,
         {.coarse_start = coarse_start, .start = from_first ? &start : nullptr, .workspace = &workspace});
@@ -145,8 +145,8 @@ TEST(Workspace, WarmStartNeedsFewerSteps) {
   const ContactResult warm = solve_next(true, true), cold = solve_next(false, true),
                       bare = solve_next(false, false);
   expect_same(cold, warm);
-  EXPECT_LT(warm.work, cold.work);
-  EXPECT_LT(warm.tangential_iterations, bare.tangential_iterations);
+  EXPECT_LT(warm.effort.work, cold.effort.work);
+  EXPECT_LT(warm.effort.tangential_iterations, bare.effort.tangential_iterations);
 }
 
 #ifdef COUNTS_ALLOCATIONS
@@ -242,15 +242,15 @@ TEST(Workspace, ACaseIsRefusedWhereItsWorkIsUsedUp) {
   problem.force = 5e4;
   WorkBudget enough;
   const ContactResult result = solve(problem, {}, enough);
-  EXPECT_TRUE(result.converged);
-  EXPECT_EQ(result.work, enough.used());
-  EXPECT_GT(result.work, 10.0 * problem.grid.size());
-  WorkBudget scarce(0.3 * result.work);
+  EXPECT_TRUE(result.certified());
+  EXPECT_EQ(result.effort.work, enough.used());
+  EXPECT_GT(result.effort.work, 10.0 * problem.grid.size());
+  WorkBudget scarce(0.3 * result.effort.work);
   EXPECT_THROW(solve(problem, {.estimate_discretisation = false}, scarce), ConvergenceError);
   Workspace kept; // a refusal leaves nothing behind
-  WorkBudget again(0.3 * result.work);
+  WorkBudget again(0.3 * result.effort.work);
   EXPECT_THROW(solve(problem, {.workspace = &kept}, again), ConvergenceError);
-  EXPECT_NEAR(solve(problem, {.workspace = &kept}).Fx, result.Fx, 1e-6 * result.Fx);
+  EXPECT_NEAR(solve(problem, {.workspace = &kept}).totals.Fx, result.totals.Fx, 1e-6 * result.totals.Fx);
 }
 
 /// The same solution by numbers that are full in s: the same products, each of which costs more.
@@ -260,8 +260,8 @@ TEST(Workspace, ProductsWithFullNumbersCountForMore) {
   problem.numbers = with_every_pair_of_rows(problem.numbers);
   const ContactResult full = solve(problem);
   expect_same(translational, full);
-  EXPECT_GT(full.work, 1.2 * translational.work);
-  EXPECT_LT(full.work, 1.1 * product_work(false, problem.grid.ms) * translational.work);
+  EXPECT_GT(full.effort.work, 1.2 * translational.effort.work);
+  EXPECT_LT(full.effort.work, 1.1 * product_work(false, problem.grid.ms) * translational.effort.work);
 }
 
 } // namespace

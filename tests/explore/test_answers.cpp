@@ -56,7 +56,7 @@ TEST(Answers, AreThoseOfTheSolver) {
   const SceneResult alone = Sequence().solve(
       parse_scene_file({small}, std::vector<SceneChange>{{"position.lateral", 1.0}, {"load.force", 6e4}}));
   EXPECT_NEAR(quantity_of(reply, "Fz"), 6e4, 1e-2);
-  EXPECT_NEAR(quantity_of(reply, "Fy"), alone.result.Fy, 1e-5 * 6e4);
+  EXPECT_NEAR(quantity_of(reply, "Fy"), alone.result.totals.Fy, 1e-5 * 6e4);
   EXPECT_EQ(reply["data"]["attributes"]["certified"], 1);
   EXPECT_THAT(reply["data"]["scene_with_defaults"]["text"].get<std::string>(), HasSubstr("lateral = 1"));
 }

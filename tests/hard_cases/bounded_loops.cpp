@@ -34,7 +34,7 @@ TEST(HardCases, NoIterationsAllowed) {
   none.max_normal = 1;
   const ContactResult result = hard::certified_or_not_converged(
       "one iteration of each solver", "unlike bodies, no solver may finish", problem, none);
-  EXPECT_FALSE(result.converged);
+  EXPECT_FALSE(result.certified());
   for (const double p : result.pn)
     EXPECT_TRUE(std::isfinite(p));
 }

@@ -24,16 +24,16 @@ TEST(HardCases, EdgeOfTheGrid) {
   const SceneResult free = Sequence().solve(wheel_on_rail());
   SceneFile tight = wheel_on_rail();
   tight.grid.mx = 6;
-  tight.grid.rows = {free.reference.s - 1.5, free.reference.s + 1};
+  tight.grid.rows = {free.motion.reference.s - 1.5, free.motion.reference.s + 1};
   const SceneResult grown = Sequence().solve(tight);
   hard::print_line("edge of the potential contact",
                    "6 x 4 elements asked for: the grid grows until the contact lies inside", grown.result);
-  EXPECT_TRUE(grown.result.converged);
-  EXPECT_FALSE(grown.result.touches_border);
+  EXPECT_TRUE(grown.result.certified());
+  EXPECT_FALSE(grown.result.trust.touches_border);
   EXPECT_THAT(grown.warnings, testing::Contains(testing::HasSubstr("it grew to")));
   EXPECT_GT(grown.problem.grid.mx, 6);
-  EXPECT_NEAR(grown.result.approach, free.result.approach, 2e-2 * free.result.approach);
-  EXPECT_NEAR(grown.result.Fx, free.result.Fx, 2e-2 * std::abs(free.result.Fx));
+  EXPECT_NEAR(grown.result.totals.approach, free.result.totals.approach, 2e-2 * free.result.totals.approach);
+  EXPECT_NEAR(grown.result.totals.Fx, free.result.totals.Fx, 2e-2 * std::abs(free.result.totals.Fx));
 }
 
 /// A force that no head of a rail can carry is refused after a bounded number of growths.
@@ -44,8 +44,8 @@ TEST(HardCases, NoGridIsLargeEnough) {
   try {
     const SceneResult result = Sequence().solve(scene);
     hard::print_line("1e8 N on a rail", "the patch leaves the head", result.result);
-    EXPECT_TRUE(result.result.converged);
-    EXPECT_FALSE(result.result.touches_border);
+    EXPECT_TRUE(result.result.certified());
+    EXPECT_FALSE(result.result.trust.touches_border);
   } catch (const Error& error) {
     hard::print_refusal("1e8 N on a rail", "the patch leaves the head", error.what());
     EXPECT_THAT(error.what(), testing::HasSubstr("("));

@@ -13,9 +13,10 @@ int contact_count(const ContactResult& result) {
 
 void print_line(const std::string& name, const std::string& what, const ContactResult& result) {
   std::printf("| %s | %s | %d of %zu | %s; %s | %d / %d / %d | %.0e |\n", name.c_str(), what.c_str(),
-              contact_count(result), result.pn.size(), result.normal_solver.c_str(),
-              result.tangential_solver.c_str(), result.outer_iterations, result.normal_iterations,
-              result.tangential_iterations, result.certificate.worst());
+              contact_count(result), result.pn.size(), result.effort.normal_solver.c_str(),
+              result.effort.tangential_solver.c_str(), result.effort.outer_iterations,
+              result.effort.normal_iterations, result.effort.tangential_iterations,
+              result.trust.certificate.worst());
 }
 
 namespace {
@@ -35,13 +36,14 @@ ContactResult certified(const std::string& name, const std::string& what, const 
   ContactResult result = solve(problem, options);
   print_line(name, what, result);
   print_moved(name, problem, options);
-  EXPECT_TRUE(result.converged) << name << ": " << result.certificate.worst() << ' ' << result.solver_note;
-  EXPECT_LE(result.certificate.worst(), 1e-6) << name;
+  EXPECT_TRUE(result.certified()) << name << ": " << result.trust.certificate.worst() << ' '
+                                  << result.trust.solver_note;
+  EXPECT_LE(result.trust.certificate.worst(), 1e-6) << name;
   if (problem.has_friction()) {
     double carried = 0;
     for (const double p : result.pn)
       carried += p * problem.element_area();
-    EXPECT_LE(std::abs(result.Fx), problem.friction * carried * (1 + 1e-6)) << name;
+    EXPECT_LE(std::abs(result.totals.Fx), problem.friction * carried * (1 + 1e-6)) << name;
   }
   return result;
 }
@@ -49,14 +51,14 @@ ContactResult certified(const std::string& name, const std::string& what, const 
 ContactResult certified_or_not_converged(const std::string& name, const std::string& what,
                                          const ContactProblem& problem, const SolverOptions& options) {
   ContactResult result = solve(problem, options);
-  if (result.converged) {
+  if (result.certified()) {
     print_line(name, what, result);
     print_moved(name, problem, options);
-    EXPECT_LE(result.certificate.worst(), 1e-6) << name;
+    EXPECT_LE(result.trust.certificate.worst(), 1e-6) << name;
   } else {
-    print_without_result(name, what, "not converged: " + result.solver_note);
-    EXPECT_FALSE(result.solver_note.empty()) << name << ": not converged, without a reason";
-    EXPECT_GT(result.certificate.worst(), 1e-6) << name;
+    print_without_result(name, what, "not converged: " + result.trust.solver_note);
+    EXPECT_FALSE(result.trust.solver_note.empty()) << name << ": not converged, without a reason";
+    EXPECT_GT(result.trust.certificate.worst(), 1e-6) << name;
   }
   return result;
 }

@@ -39,8 +39,9 @@ TEST(HardCases, MergingPatches) {
   }
   EXPECT_EQ(before.patches.size(), 2u);
   EXPECT_EQ(after.patches.size(), 1u);
-  EXPECT_NEAR(before.Fz, after.Fz, 1e-6 * after.Fz) << "the force knows nothing of the count";
-  EXPECT_NEAR(before.Fx, after.Fx, 1e-5 * after.Fx);
+  EXPECT_NEAR(before.totals.Fz, after.totals.Fz, 1e-6 * after.totals.Fz)
+      << "the force knows nothing of the count";
+  EXPECT_NEAR(before.totals.Fx, after.totals.Fx, 1e-5 * after.totals.Fx);
 }
 
 } // namespace

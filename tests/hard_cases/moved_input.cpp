@@ -31,7 +31,7 @@ double approach_scale(const ContactProblem& problem, const ContactResult& result
   double least = problem.gap.front();
   for (const double h : problem.gap)
     least = std::min(least, h);
-  return std::abs(result.approach - least);
+  return std::abs(result.totals.approach - least);
 }
 
 std::vector<std::pair<std::string, Move>> moves(const ContactProblem& problem, double noise_scale) {
@@ -78,11 +78,11 @@ double largest(const std::vector<double>& values) {
 std::vector<Total> changes(const ContactProblem& problem, const ContactResult& before,
                            const ContactResult& after, double length) {
   const double carried = pressure_sum(problem, before);
-  std::vector<Total> all{{"Fz", std::abs(after.Fz - before.Fz) / carried},
+  std::vector<Total> all{{"Fz", std::abs(after.totals.Fz - before.totals.Fz) / carried},
                          {"pmax", std::abs(largest(after.pn) - largest(before.pn)) / largest(before.pn)},
-                         {"approach", std::abs(after.approach - before.approach) / length}};
+                         {"approach", std::abs(after.totals.approach - before.totals.approach) / length}};
   if (problem.has_friction()) {
-    const double shear = std::hypot(after.Fx - before.Fx, after.Fy - before.Fy);
+    const double shear = std::hypot(after.totals.Fx - before.totals.Fx, after.totals.Fy - before.totals.Fy);
     all.push_back({"shear force", shear / (problem.largest_friction() * carried)});
   }
   return all;
@@ -122,7 +122,7 @@ void print_moved(const std::string& name, const ContactProblem& problem, SolverO
   options.tolerance = 1e-12; // far below the changes that are looked for
   options.estimate_discretisation = false;
   const ContactResult before = solve(problem, options);
-  if (!before.converged)
+  if (!before.certified())
     return;
   const double length = approach_scale(problem, before);
   for (const auto& [input, move] : moves(problem, length))
@@ -130,7 +130,7 @@ void print_moved(const std::string& name, const ContactProblem& problem, SolverO
       ContactProblem moved = problem;
       move(moved, size);
       const ContactResult after = solve(moved, options);
-      if (!after.converged)
+      if (!after.certified())
         std::printf("moved | %s | %s | %.0e | not converged | -\n", name.c_str(), input.c_str(), size);
       else
         for (const Total& total : changes(problem, before, after, length))

@@ -84,7 +84,7 @@ TEST(HardCases, RadiusRatioRolling) {
       const ContactResult result = hard::certified(
           name, "a patch that turns by tens of degrees, so that pressure and shear act on each other",
           problem);
-      EXPECT_FALSE(result.touches_border);
+      EXPECT_FALSE(result.trust.touches_border);
     }
 }
 

@@ -15,11 +15,11 @@ TEST(HardCases, OneElement) {
   scenes::set_creepage(problem, 0.3, 1e-7, 0, 0);
   const ContactResult held = hard::certified("one element, adhesion", "a patch of one element", problem);
   ASSERT_EQ(hard::contact_count(held), 1);
-  EXPECT_NEAR(held.Fz, pn, 1e-9 * pn);
-  EXPECT_NEAR(held.Fx, 1e-7 / step, 1e-7 * held.Fx) << "S = w dx - B p = 0";
+  EXPECT_NEAR(held.totals.Fz, pn, 1e-9 * pn);
+  EXPECT_NEAR(held.totals.Fx, 1e-7 / step, 1e-7 * held.totals.Fx) << "S = w dx - B p = 0";
   scenes::set_creepage(problem, 0.3, 3e-2, 4e-2, 0);
   const ContactResult slipping = hard::certified("one element, slip", "a patch of one element", problem);
-  EXPECT_NEAR(std::hypot(slipping.Fx, slipping.Fy), 0.3 * pn, 1e-9 * pn);
+  EXPECT_NEAR(std::hypot(slipping.totals.Fx, slipping.totals.Fy), 0.3 * pn, 1e-9 * pn);
 
   ContactProblem unlike = scenes::flat({820, 0.3}, scenes::steel, 5, 5, 1, 1, 1, 1);
   unlike.force = 0.5;

@@ -37,14 +37,15 @@ TEST(HardCases, OppositeRolling) {
 
   // back in the axes of the rail: a) (Fx, Fy, Mz) = (-, +, -), b) (-, -, +)
   const double scale = 2e-6 * 0.3 * forwards.force;
-  EXPECT_NEAR(-a.Fx, -b.Fx, scale);
-  EXPECT_NEAR(a.Fy, -b.Fy, scale);
-  EXPECT_NEAR(-a.Mz, b.Mz, 3 * scale);
-  EXPECT_NEAR(a.approach, b.approach, 1e-6 * a.approach);
+  EXPECT_NEAR(-a.totals.Fx, -b.totals.Fx, scale);
+  EXPECT_NEAR(a.totals.Fy, -b.totals.Fy, scale);
+  EXPECT_NEAR(-a.totals.Mz, b.totals.Mz, 3 * scale);
+  EXPECT_NEAR(a.totals.approach, b.totals.approach, 1e-6 * a.totals.approach);
   // rolling is not reversible: the same rigid slip, but what has rolled in first is the other side
-  EXPECT_GT(std::abs(-a.Fx - ahead.Fx) + std::abs(a.Fy - ahead.Fy), 1e-3 * forwards.force);
-  EXPECT_GT(-a.Fx, 0) << "the same sliding drags the rail the same way";
-  EXPECT_GT(a.Fy, 0);
+  EXPECT_GT(std::abs(-a.totals.Fx - ahead.totals.Fx) + std::abs(a.totals.Fy - ahead.totals.Fy),
+            1e-3 * forwards.force);
+  EXPECT_GT(-a.totals.Fx, 0) << "the same sliding drags the rail the same way";
+  EXPECT_GT(a.totals.Fy, 0);
 }
 
 } // namespace

@@ -19,18 +19,19 @@ inline std::string outcome(const std::string& text, const std::filesystem::path&
     const SceneFile scene = parse_scene_file({text, "scene.toml", folder});
     const SceneResult solved = Sequence().solve(scene);
     const ContactResult& result = solved.result;
-    EXPECT_EQ(result.converged, result.certificate.holds());
-    if (!result.converged) {
-      EXPECT_FALSE(result.solver_note.empty()) << "without a reason";
-      return "not converged: " + result.solver_note;
+    EXPECT_EQ(result.certified(), result.trust.certificate.holds());
+    if (!result.certified()) {
+      EXPECT_FALSE(result.trust.solver_note.empty()) << "without a reason";
+      return "not converged: " + result.trust.solver_note;
     }
-    EXPECT_LE(result.certificate.worst(), 1e-6);
+    EXPECT_LE(result.trust.certificate.worst(), 1e-6);
     const auto finite = [](const std::vector<double>& field) {
       return std::ranges::all_of(field, [](double v) { return std::isfinite(v); });
     };
     EXPECT_TRUE(finite(result.px) && finite(result.ps) && finite(result.pn));
     EXPECT_TRUE(finite(result.slip_x) && finite(result.slip_s) && finite(result.deformed_distance));
-    EXPECT_TRUE(finite({result.Fx, result.Fy, result.Fz, result.Mz, result.approach}));
+    EXPECT_TRUE(finite(
+        {result.totals.Fx, result.totals.Fy, result.totals.Fz, result.totals.Mz, result.totals.approach}));
     EXPECT_TRUE(std::ranges::all_of(result.pn, [](double p) { return p >= 0; }));
     if (solved.stresses) {
       EXPECT_TRUE(finite(solved.stresses->von_mises) && finite(solved.stresses->largest_shear));

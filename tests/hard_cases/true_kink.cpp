@@ -28,7 +28,7 @@ TEST(HardCases, TrueKink) {
   const char* what =
       "contact on both flanks of a corner: pressure on one has the direction of friction on the other";
   const ContactResult smooth = hard::certified("kink of 85 degrees, frictionless", what, kinked(0, 0));
-  EXPECT_GT(smooth.Fy, 0) << "the steep flank is in contact";
+  EXPECT_GT(smooth.totals.Fy, 0) << "the steep flank is in contact";
   for (const double friction : {0.1, 0.3, 0.6})
     for (const double creepage : {1e-4, 1e-2})
       hard::certified_or_not_converged("kink of 85 degrees, friction " +
@@ -74,7 +74,7 @@ TEST(HardCases, SelfLockingGroove) {
   problem.approach = 0.2;
   const ContactResult held =
       hard::certified("groove of 10 degrees, driven out, approach", "friction lifts the wheel out", problem);
-  EXPECT_LT(held.Fz, 0);
+  EXPECT_LT(held.totals.Fz, 0);
 }
 
 } // namespace

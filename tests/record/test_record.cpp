@@ -149,9 +149,10 @@ struct Load {
 };
 
 TEST(Csv, HasUnitsInItsHeadAndAnEmptyCellForNan) {
-  const std::vector<ColumnOf<Load>> columns{
-      {"Mz", "N mm", "", [](const Load& load) { return load.moment; }},
-      {"share", "1", "", [](const Load& load) { return load.share; }, [](const Load&) { return 0.0123456; }}};
+  const std::vector<ColumnOf<Load>> columns{{"Mz", "N mm", "", [](const Load& load) { return load.moment; }},
+                                            {"share", "1", "", [](const Load& load) {
+                                               return Measured{load.share, 0.0123456};
+                                             }}};
   const std::vector<Load> rows{{1.5, 0.25}, {nan, 1.0 / 3}};
   std::ostringstream out;
   write_csv(out, table_of("load", columns, rows), 4);

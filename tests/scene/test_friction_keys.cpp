@@ -113,7 +113,7 @@ TEST(FrictionKeys, WhatIsMissingOrTwiceIsRefused) {
 TEST(FrictionKeys, TemperaturesAreInTheResult) {
   const std::string flash = "temperature.flash = true\ntemperature.rail = 20\ntemperature.wheel = 60\n";
   const SceneResult r = Sequence().solve(patch("speed = 2e4\nxi = 0.02", flash));
-  ASSERT_TRUE(r.result.converged);
+  ASSERT_TRUE(r.result.certified());
   const double hottest = quantity("Tmax_rail").value(r);
   EXPECT_GT(hottest, 100);
   EXPECT_NEAR(quantity("Tmax_wheel").value(r), hottest, 1e-9) << "where they touch they are equally hot";
@@ -121,9 +121,9 @@ TEST(FrictionKeys, TemperaturesAreInTheResult) {
   const SceneResult hot = Sequence().solve(patch(
       "speed = 2e4\nxi = 0.02",
       flash + "temperature.hot_friction = 0.15\ntemperature.falls_from = 40\ntemperature.falls_to = 90"));
-  ASSERT_TRUE(hot.result.converged) << hot.result.solver_note;
-  EXPECT_LT(hot.result.Fx, 0.9 * r.result.Fx);
-  EXPECT_GT(hot.result.Fx, 0.5 * r.result.Fx);
+  ASSERT_TRUE(hot.result.certified()) << hot.result.trust.solver_note;
+  EXPECT_LT(hot.result.totals.Fx, 0.9 * r.result.totals.Fx);
+  EXPECT_GT(hot.result.totals.Fx, 0.5 * r.result.totals.Fx);
   EXPECT_LT(quantity("Tmax_rail").value(hot), hottest);
 }
 
@@ -131,12 +131,12 @@ TEST(FrictionKeys, TemperaturesAreInTheResult) {
 TEST(FrictionKeys, ASecondCreepageIsSaid) {
   const std::string law = "falling_friction = 0.15\nhalf_slip_velocity = 1000\nspeed = 1e4\n";
   const SceneResult r = Sequence().solve(patch(law, "load.force_x = 27000"));
-  ASSERT_TRUE(r.result.converged) << r.result.solver_note;
+  ASSERT_TRUE(r.result.certified()) << r.result.trust.solver_note;
   const double velocity = -1000 * std::log2((0.9 - 0.5) / 0.5);
   EXPECT_THAT(r.warnings, Contains(HasSubstr(fmt::format("at some {:.3g} (slip velocity {:.3g} mm/s)",
                                                          velocity / 1e4, velocity))));
   const SceneResult there = Sequence().solve(patch(law + fmt::format("xi = {}", velocity / 1e4)));
-  EXPECT_NEAR(there.result.Fx, 27000, 100);
+  EXPECT_NEAR(there.result.totals.Fx, 27000, 100);
   EXPECT_THAT(Sequence().solve(patch(law, "load.force_x = 14000")).warnings, IsEmpty());
 }
 
@@ -162,12 +162,12 @@ TEST(FrictionKeys, ASecondCreepageIsSaidOfRowsAndHeat) {
   for (const auto& [motion, heat] : {std::pair{of_rows, std::string()}, std::pair{of_rows, hot},
                                      std::pair{std::string("speed = 1e4\n"), hot}, std::pair{of_all, hot}}) {
     const SceneResult r = Sequence().solve(patch(motion, "load.force_x = 26000\n" + heat));
-    ASSERT_TRUE(r.result.converged) << r.result.solver_note;
+    ASSERT_TRUE(r.result.certified()) << r.result.trust.solver_note;
     const double velocity = velocity_said(r);
-    ASSERT_GT(velocity, 2e4 * r.result.creepage_x) << motion << heat;
+    ASSERT_GT(velocity, 2e4 * r.result.totals.creepage_x) << motion << heat;
     const SceneResult there = Sequence().solve(patch(motion + fmt::format("xi = {}", velocity / 1e4), heat));
-    ASSERT_TRUE(there.result.converged) << there.result.solver_note;
-    EXPECT_NEAR(there.result.Fx, 26000, 0.005 * 26000) << motion << heat;
+    ASSERT_TRUE(there.result.certified()) << there.result.trust.solver_note;
+    EXPECT_NEAR(there.result.totals.Fx, 26000, 0.005 * 26000) << motion << heat;
   }
 }
 
@@ -175,7 +175,7 @@ TEST(FrictionKeys, ASecondCreepageIsSaidOfRowsAndHeat) {
 TEST(FrictionKeys, ASecondSolutionIsSaid) {
   const SceneResult r =
       Sequence().solve(patch("falling_friction = 0.127\nhalf_slip_velocity = 0.3\nspeed = 1e4\nxi = 8e-4"));
-  ASSERT_TRUE(r.result.converged) << r.result.solver_note;
+  ASSERT_TRUE(r.result.certified()) << r.result.trust.solver_note;
   EXPECT_THAT(r.warnings,
               Contains(HasSubstr("this contact has two solutions: taken is the one that comes from "
                                  "adhesion (Fx")));

@@ -20,16 +20,16 @@ TEST(Comparison, AtEqualForcesAllModelsBearTheSame) {
   ASSERT_EQ(c.at_forces.size(), 3u);
   const ContactResult& fem = c.at_forces[2].result;
   for (const SceneResult& r : c.at_forces) {
-    EXPECT_TRUE(r.result.certificate.holds());
-    EXPECT_NEAR(r.result.Fx, 0, 0.1) << "free rolling";
-    EXPECT_NEAR(r.result.Fy, fem.Fy, 0.2);
-    EXPECT_NEAR(r.result.Fz, fem.Fz, 0.1);
+    EXPECT_TRUE(r.result.trust.certificate.holds());
+    EXPECT_NEAR(r.result.totals.Fx, 0, 0.1) << "free rolling";
+    EXPECT_NEAR(r.result.totals.Fy, fem.totals.Fy, 0.2);
+    EXPECT_NEAR(r.result.totals.Fz, fem.totals.Fz, 0.1);
   }
   // What the independent 3-D analysis says: a shift of 0.02 mm makes most of the difference at equal
   // position.
-  EXPECT_NEAR(*c.at_forces[0].lateral - *c.at_forces[2].lateral, 0.02, 0.01);
+  EXPECT_NEAR(*c.at_forces[0].motion.lateral - *c.at_forces[2].motion.lateral, 0.02, 0.01);
   const auto off = [](const SceneResult& a, const SceneResult& b) {
-    return largest_pressure(b.result) / largest_pressure(a.result) - 1;
+    return b.result.totals.pmax / a.result.totals.pmax - 1;
   };
   EXPECT_LT(off(c.at_position[0], c.at_position[2]), -0.05);
   EXPECT_GT(off(c.at_forces[0], c.at_forces[2]), -0.02);
@@ -42,10 +42,10 @@ TEST(Comparison, OnATreadWhereTheLateralForceSaysLittleOfThePositionAllModelsSta
                        "grid.elements = 300\n");
   const Comparison c = Sequence().compare(scene, {Model::halfspace, Model::tangent_plane});
   const SceneResult &halfspace = c.at_forces[0], &planes = c.at_forces[1];
-  EXPECT_EQ(*halfspace.lateral, *planes.lateral);
-  EXPECT_NE(halfspace.result.Fy, planes.result.Fy) << "this test would say nothing";
-  EXPECT_NEAR(halfspace.result.Fy, planes.result.Fy, 0.005 * 1e5);
-  EXPECT_NEAR(largest_pressure(halfspace.result) / largest_pressure(planes.result), 1, 0.02);
+  EXPECT_EQ(*halfspace.motion.lateral, *planes.motion.lateral);
+  EXPECT_NE(halfspace.result.totals.Fy, planes.result.totals.Fy) << "this test would say nothing";
+  EXPECT_NEAR(halfspace.result.totals.Fy, planes.result.totals.Fy, 0.005 * 1e5);
+  EXPECT_NEAR(halfspace.result.totals.pmax / planes.result.totals.pmax, 1, 0.02);
 }
 
 TEST(Comparison, CreepForcesBeyondFreeRollingAreNearlyTheSame) {
@@ -57,7 +57,7 @@ TEST(Comparison, CreepForcesBeyondFreeRollingAreNearlyTheSame) {
     for (const std::vector<double>& errors : forces.Fx_error)
       EXPECT_TRUE(errors[k] > 0 && errors[k] < 0.02 * 0.3 * 1.07e5) << errors[k];
   }
-  EXPECT_GT(c.at_forces[1].free_rolling->xi - c.at_forces[0].free_rolling->xi, 5e-4)
+  EXPECT_GT(c.at_forces[1].motion.free_rolling->xi - c.at_forces[0].motion.free_rolling->xi, 5e-4)
       << "what differs is free rolling itself";
 }
 
@@ -66,8 +66,8 @@ TEST(Comparison, APrescribedLateralForceIsTheCommonOne) {
   scene.load.force_y = 3e4;
   const Comparison c = Sequence().compare(scene);
   for (const SceneResult& r : c.at_forces)
-    EXPECT_NEAR(r.result.Fy, 3e4, 0.2);
-  EXPECT_EQ(*c.at_position[0].lateral, *c.at_position[1].lateral);
+    EXPECT_NEAR(r.result.totals.Fy, 3e4, 0.2);
+  EXPECT_EQ(*c.at_position[0].motion.lateral, *c.at_position[1].motion.lateral);
 }
 
 TEST(Comparison, APatchIsComparedAtEqualForceAlone) {
@@ -75,7 +75,8 @@ TEST(Comparison, APatchIsComparedAtEqualForceAlone) {
   const Comparison c = Sequence().compare(scene, {Model::hertz, Model::halfspace});
   EXPECT_EQ(c.models[c.reference], Model::halfspace) << "the last one, without fem";
   EXPECT_TRUE(c.at_position.empty());
-  EXPECT_NEAR(c.at_forces[0].result.Fz, c.at_forces[1].result.Fz, 1e-6 * c.at_forces[1].result.Fz);
+  EXPECT_NEAR(c.at_forces[0].result.totals.Fz, c.at_forces[1].result.totals.Fz,
+              1e-6 * c.at_forces[1].result.totals.Fz);
 }
 
 TEST(Comparison, OneModelIsNoComparison) {

@@ -42,31 +42,30 @@ TEST(EarlyEnd, ARoughSolutionKnowsItsErrors) {
   const SceneFile scene = halfspace_scene(with_given_elements);
   const GridSolution whole = solve_scene(scene, nullptr);
   const ContactResult& precise = whole.result;
-  ASSERT_TRUE(precise.converged);
+  ASSERT_TRUE(precise.certified());
   int looks = 0;
   const EarlyEnd early_end{2e-3, [&](const ContactProblem& problem, const ContactResult& rough) {
                              ++looks;
-                             EXPECT_FALSE(rough.converged);
+                             EXPECT_FALSE(rough.certified());
                              EXPECT_EQ(problem.grid.size(), whole.contact.problem.grid.size());
                              return true;
                            }};
   const ContactResult rough = solve_scene(scene, &early_end).result;
   EXPECT_EQ(looks, 1);
-  EXPECT_TRUE(rough.ended_early);
-  EXPECT_FALSE(rough.converged);
-  EXPECT_FALSE(rough.certificate.holds());
-  EXPECT_LT(rough.outer_iterations, precise.outer_iterations);
-  EXPECT_NEAR(rough.Fz, precise.Fz, 3e-3 * precise.Fz);
-  EXPECT_NEAR(rough.Fx, precise.Fx, 3e-3 * precise.Fz);
-  EXPECT_NEAR(rough.Fy, precise.Fy, 3e-3 * precise.Fz);
-  ASSERT_TRUE(rough.discretisation) << rough.why_no_errors;
-  const TotalErrors &a = rough.discretisation->errors, &b = precise.discretisation->errors;
-  for (const auto error : {&TotalErrors::Fx, &TotalErrors::Fy, &TotalErrors::pmax, &TotalErrors::area,
-                           &TotalErrors::adhesion_share, &TotalErrors::approach})
-    EXPECT_NEAR(a.*error, b.*error, 0.1 * b.*error);
-  EXPECT_NEAR(asked_error(scene.grid, whole.contact.problem, rough),
-              asked_error(scene.grid, whole.contact.problem, precise),
-              0.1 * precise.certificate.discretisation);
+  EXPECT_TRUE(rough.trust.ended_early);
+  EXPECT_FALSE(rough.certified());
+  EXPECT_FALSE(rough.trust.certificate.holds());
+  EXPECT_LT(rough.effort.outer_iterations, precise.effort.outer_iterations);
+  EXPECT_NEAR(rough.totals.Fz, precise.totals.Fz, 3e-3 * precise.totals.Fz);
+  EXPECT_NEAR(rough.totals.Fx, precise.totals.Fx, 3e-3 * precise.totals.Fz);
+  EXPECT_NEAR(rough.totals.Fy, precise.totals.Fy, 3e-3 * precise.totals.Fz);
+  ASSERT_TRUE(rough.trust.discretisation) << rough.trust.why_no_errors;
+  for (const auto number : {&ContactTotals::Fx, &ContactTotals::Fy, &ContactTotals::pmax,
+                            &ContactTotals::area, &ContactTotals::adhesion_share, &ContactTotals::approach})
+    EXPECT_NEAR((rough.totals.*number).error, (precise.totals.*number).error,
+                0.1 * (precise.totals.*number).error);
+  EXPECT_NEAR(asked_error(scene.grid, rough), asked_error(scene.grid, precise),
+              0.1 * precise.trust.certificate.discretisation);
 }
 
 TEST(EarlyEnd, ALookThatDoesNotEndChangesNothing) {
@@ -79,14 +78,14 @@ TEST(EarlyEnd, ALookThatDoesNotEndChangesNothing) {
   const ContactResult looked = solve_scene(scene, &early_end).result,
                       precise = solve_scene(scene, nullptr).result;
   EXPECT_EQ(looks, 1);
-  EXPECT_TRUE(looked.converged);
-  EXPECT_FALSE(looked.ended_early);
+  EXPECT_TRUE(looked.certified());
+  EXPECT_FALSE(looked.trust.ended_early);
   EXPECT_EQ(looked.pn, precise.pn);
   EXPECT_EQ(looked.px, precise.px);
   EXPECT_EQ(looked.ps, precise.ps);
-  ASSERT_TRUE(looked.discretisation); // its companion began from the rough solution
-  EXPECT_NEAR(looked.certificate.discretisation, precise.certificate.discretisation,
-              1e-3 * precise.certificate.discretisation);
+  ASSERT_TRUE(looked.trust.discretisation); // its companion began from the rough solution
+  EXPECT_NEAR(looked.trust.certificate.discretisation, precise.trust.certificate.discretisation,
+              1e-3 * precise.trust.certificate.discretisation);
 }
 
 /// Nothing is rough where one outer iteration solves the problem.
@@ -95,7 +94,7 @@ TEST(EarlyEnd, WithoutCouplingThereIsNoLook) {
                              throw InputError("It looked", "one outer iteration is enough", "");
                            }};
   const SceneFile scene = halfspace_scene(with_given_elements + "motion.frictionless = true\n");
-  EXPECT_TRUE(solve_scene(scene, &early_end).result.converged);
+  EXPECT_TRUE(solve_scene(scene, &early_end).result.certified());
 }
 
 /// A case that is solved several times ends with a precise solution, on elements that nobody ended early.
@@ -105,10 +104,10 @@ TEST(EarlyEnd, OnlyTheLastSolutionOfACaseIsPrecise) {
     const int before = sequence.counts().solves;
     const SceneResult r = sequence.solve(halfspace_scene(
         fmt::format("position.lateral = 5.35\nload.force = 5e4\ngrid.accuracy = {}\n", accuracy)));
-    EXPECT_TRUE(r.result.converged) << accuracy;
-    EXPECT_FALSE(r.result.ended_early) << accuracy;
-    EXPECT_TRUE(r.result.certificate.holds()) << accuracy;
-    EXPECT_LE(r.result.certificate.discretisation, accuracy);
+    EXPECT_TRUE(r.result.certified()) << accuracy;
+    EXPECT_FALSE(r.result.trust.ended_early) << accuracy;
+    EXPECT_TRUE(r.result.trust.certificate.holds()) << accuracy;
+    EXPECT_LE(r.result.trust.certificate.discretisation, accuracy);
     EXPECT_GT(sequence.counts().solves, before + 1) << "the case says nothing";
   }
 }
@@ -121,11 +120,11 @@ TEST(EarlyEnd, AStartOnTheFlangeKnowsTheBalance) {
       halfspace_scene("position.lateral = 6.9\nposition.yaw = -0.01\nmotion.friction = 0.33\n"
                       "load.force = 3400\ngrid = { dx = 0.6, ds = 0.5 }\n");
   const SceneResult first = sequence.solve(scene), second = sequence.solve(scene);
-  ASSERT_TRUE(first.result.converged && second.result.converged);
-  EXPECT_GT(first.result.Fy, 15 * first.result.Fz);
-  EXPECT_NEAR(second.result.Fy, first.result.Fy, 1e-6 * first.result.Fy);
-  EXPECT_LT(second.result.outer_iterations, first.result.outer_iterations);
-  EXPECT_LE(second.result.outer_iterations, 2);
+  ASSERT_TRUE(first.result.certified() && second.result.certified());
+  EXPECT_GT(first.result.totals.Fy, 15 * first.result.totals.Fz);
+  EXPECT_NEAR(second.result.totals.Fy, first.result.totals.Fy, 1e-6 * first.result.totals.Fy);
+  EXPECT_LT(second.result.effort.outer_iterations, first.result.effort.outer_iterations);
+  EXPECT_LE(second.result.effort.outer_iterations, 2);
 }
 
 } // namespace

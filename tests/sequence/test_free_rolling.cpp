@@ -30,18 +30,19 @@ SceneFile rolling(const std::string& more) {
 TEST(FreeRolling, IsTheCreepageOfNoLongitudinalForce) {
   const SceneResult asked = Sequence().solve(rolling(""));
   const SceneResult prescribed = Sequence().solve(rolling("load.force_x = 0\n"));
-  ASSERT_TRUE(asked.free_rolling && prescribed.free_rolling);
-  EXPECT_NEAR(prescribed.result.Fx, 0, 0.1);
-  EXPECT_NEAR(asked.free_rolling->xi, prescribed.xi, 1e-8);
-  EXPECT_NEAR(prescribed.free_rolling->xi, prescribed.xi, 0.0);
+  ASSERT_TRUE(asked.motion.free_rolling && prescribed.motion.free_rolling);
+  EXPECT_NEAR(prescribed.result.totals.Fx, 0, 0.1);
+  EXPECT_NEAR(asked.motion.free_rolling->xi, prescribed.motion.xi, 1e-8);
+  EXPECT_NEAR(prescribed.motion.free_rolling->xi, prescribed.motion.xi, 0.0);
   // The error is that of a creepage found for a force.
-  EXPECT_NEAR(asked.free_rolling->xi_error, prescribed.result.discretisation->errors.creepage_x,
-              1e-3 * asked.free_rolling->xi_error);
+  EXPECT_NEAR(asked.motion.free_rolling->xi.error, prescribed.result.totals.creepage_x.error,
+              1e-3 * asked.motion.free_rolling->xi.error);
   const FreeRolling finer =
-      *Sequence().solve(rolling("load.force_x = 0\ngrid.dx = 0.25\ngrid.ds = 0.15\n")).free_rolling;
-  EXPECT_NEAR(asked.free_rolling->xi, finer.xi, asked.free_rolling->xi_error);
-  EXPECT_NEAR(asked.free_rolling->rolling_radius, finer.rolling_radius, asked.free_rolling->radius_error());
-  EXPECT_GT(asked.result.Fx, 1000) << "at xi = 0 the wheel does not roll freely here";
+      *Sequence().solve(rolling("load.force_x = 0\ngrid.dx = 0.25\ngrid.ds = 0.15\n")).motion.free_rolling;
+  EXPECT_NEAR(asked.motion.free_rolling->xi, finer.xi, asked.motion.free_rolling->xi.error);
+  EXPECT_NEAR(asked.motion.free_rolling->rolling_radius, finer.rolling_radius,
+              asked.motion.free_rolling->radius().error);
+  EXPECT_GT(asked.result.totals.Fx, 1000) << "at xi = 0 the wheel does not roll freely here";
 }
 
 /// It ends where what is left is a tenth of its stated error, wherever it starts: near free rolling, driven,
@@ -59,13 +60,13 @@ TEST(FreeRolling, IsAsPreciseAsItsErrorOnManyScenes) {
                       "grid = {{ dx = 0.6, ds = 0.35 }}\n{}",
                       model, bodies);
       const FreeRolling precise =
-          *Sequence().solve(parse_scene_file(scene + "load.force_x = 0\n")).free_rolling;
+          *Sequence().solve(parse_scene_file(scene + "load.force_x = 0\n")).motion.free_rolling;
       for (const char* xi : {"0", "1e-3", "-4e-3", "0.03"}) {
         const auto found =
-            Sequence().solve(parse_scene_file(scene + "motion.xi = " + xi + "\n")).free_rolling;
+            Sequence().solve(parse_scene_file(scene + "motion.xi = " + xi + "\n")).motion.free_rolling;
         ASSERT_TRUE(found) << scene << xi;
-        EXPECT_NEAR(found->xi, precise.xi, 0.1 * precise.xi_error) << scene << xi;
-        EXPECT_NEAR(found->xi_error, precise.xi_error, 0.25 * precise.xi_error) << scene << xi;
+        EXPECT_NEAR(found->xi, precise.xi, 0.1 * precise.xi.error) << scene << xi;
+        EXPECT_NEAR(found->xi.error, precise.xi.error, 0.25 * precise.xi.error) << scene << xi;
       }
     }
 }
@@ -73,46 +74,47 @@ TEST(FreeRolling, IsAsPreciseAsItsErrorOnManyScenes) {
 TEST(FreeRolling, LeavesTheResultAsItIs) {
   const SceneResult with = Sequence().solve(rolling(""));
   const SceneResult without = Sequence().solve(rolling("motion.free_rolling = false\n"));
-  EXPECT_FALSE(without.free_rolling);
-  EXPECT_EQ(with.result.Fx, without.result.Fx);
+  EXPECT_FALSE(without.motion.free_rolling);
+  EXPECT_EQ(with.result.totals.Fx, without.result.totals.Fx);
   EXPECT_EQ(with.result.pn, without.result.pn);
 }
 
 TEST(FreeRolling, CreepageIsCountedFromThere) {
   const SceneResult free = Sequence().solve(rolling("motion.from_free_rolling = true\n"));
-  EXPECT_NEAR(free.result.Fx, 0, 0.5);
+  EXPECT_NEAR(free.result.totals.Fx, 0, 0.5);
   // Which rolling radius is given hardly matters: that of free rolling is found. What is left is how the slip
   // 1 - r / R_roll differs from row to row, in proportion to 1 / R_roll: 0.2 %.
   const std::string driven = "motion.from_free_rolling = true\nmotion.xi = 1e-3\n";
   const SceneResult one = Sequence().solve(rolling(driven + "motion.rolling_radius = 465\n"));
   const SceneResult other = Sequence().solve(rolling(driven + "motion.rolling_radius = 466\n"));
-  EXPECT_GT(one.result.Fx, 4000);
-  EXPECT_NEAR(one.result.Fx, other.result.Fx, 3e-3 * one.result.Fx);
-  EXPECT_NEAR(one.xi - one.free_rolling->xi, 1e-3, 1e-9);
-  EXPECT_NEAR(one.free_rolling->rolling_radius, other.free_rolling->rolling_radius, 1e-2);
+  EXPECT_GT(one.result.totals.Fx, 4000);
+  EXPECT_NEAR(one.result.totals.Fx, other.result.totals.Fx, 3e-3 * one.result.totals.Fx);
+  EXPECT_NEAR(one.motion.xi - one.motion.free_rolling->xi, 1e-3, 1e-9);
+  EXPECT_NEAR(one.motion.free_rolling->rolling_radius, other.motion.free_rolling->rolling_radius, 1e-2);
 }
 
 TEST(FreeRolling, RadiusHardlyDependsOnTheOneGiven) {
-  const FreeRolling own = *Sequence().solve(rolling("")).free_rolling;
+  const FreeRolling own = *Sequence().solve(rolling("")).motion.free_rolling;
   for (const double given : {440.0, 455.0, 460.0, 470.0, 920.0}) {
     const std::string radius = fmt::format("motion.rolling_radius = {}\n", given);
-    const FreeRolling free = *Sequence().solve(rolling(radius)).free_rolling;
+    const FreeRolling free = *Sequence().solve(rolling(radius)).motion.free_rolling;
     // What is left is how the slip 1 - r / R_roll differs from row to row.
     EXPECT_NEAR(free.rolling_radius, own.rolling_radius, 2e-3 * std::abs(own.rolling_radius - given))
         << given;
     // The creepage found is the one that may be prescribed.
     const SceneResult again = Sequence().solve(rolling(radius + fmt::format("motion.xi = {}\n", free.xi)));
-    EXPECT_NEAR(again.result.Fx, 0, 8 * std::abs(own.rolling_radius - given)) << given;
+    EXPECT_NEAR(again.result.totals.Fx, 0, 8 * std::abs(own.rolling_radius - given)) << given;
   }
 }
 
 /// A wheel that slides without turning has no spin: free rolling is another state, with an error of its own.
 TEST(FreeRolling, AWheelThatHardlyTurnsHasTheSame) {
-  const FreeRolling own = *Sequence().solve(rolling("")).free_rolling;
+  const FreeRolling own = *Sequence().solve(rolling("")).motion.free_rolling;
   for (const char* xi : {"0.5", "0.999", "1"}) {
-    const FreeRolling free = *Sequence().solve(rolling(std::string("motion.xi = ") + xi + "\n")).free_rolling;
-    EXPECT_NEAR(free.xi, own.xi, own.xi_error) << xi;
-    EXPECT_NEAR(free.xi_error, own.xi_error, 0.5 * own.xi_error) << xi;
+    const FreeRolling free =
+        *Sequence().solve(rolling(std::string("motion.xi = ") + xi + "\n")).motion.free_rolling;
+    EXPECT_NEAR(free.xi, own.xi, own.xi.error) << xi;
+    EXPECT_NEAR(free.xi.error, own.xi.error, 0.5 * own.xi.error) << xi;
   }
 }
 
@@ -203,11 +205,11 @@ TEST(RadialDisplacement, MovesFreeRollingAndNothingElse) {
   SceneFile with = conformal(true), without = conformal(false);
   const SceneResult a = sequence.solve(with), b = sequence.solve(without);
   // 0.8e-4 by an independent 3-D analysis of these profiles, whose wheel is not this coarse one.
-  EXPECT_NEAR(a.free_rolling->xi - b.free_rolling->xi, -0.8e-4, 0.3e-4);
+  EXPECT_NEAR(a.motion.free_rolling->xi - b.motion.free_rolling->xi, -0.8e-4, 0.3e-4);
   with.motion.from_free_rolling = without.motion.from_free_rolling = true;
   with.motion.xi = without.motion.xi = 1e-3;
-  const double fx = sequence.solve(with).result.Fx;
-  EXPECT_NEAR(sequence.solve(without).result.Fx, fx, 5e-3 * fx);
+  const double fx = sequence.solve(with).result.totals.Fx;
+  EXPECT_NEAR(sequence.solve(without).result.totals.Fx, fx, 5e-3 * fx);
 }
 
 } // namespace

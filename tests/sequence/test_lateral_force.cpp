@@ -90,9 +90,9 @@ TEST(LateralForce, TheErrorOfTheForceIsAnErrorOfTheDisplacement) {
   const double found = search.find(tread);
   EXPECT_NEAR(found, -0.3, 1e-4);
   const LateralPosition said = search.describe(found, 40);
-  EXPECT_NEAR(said.error, 0.4, 0.01);
+  EXPECT_NEAR(said.lateral.error, 0.4, 0.01);
   EXPECT_NEAR(said.slope, -100, 1);
-  EXPECT_TRUE(std::isnan(search.describe(found, unknown_error).error));
+  EXPECT_TRUE(std::isnan(search.describe(found, unknown_error).lateral.error));
 }
 
 TEST(LateralForce, AnExtremumHasTheWidthOverWhichItsForceIsAlike) {
@@ -100,9 +100,9 @@ TEST(LateralForce, AnExtremumHasTheWidthOverWhichItsForceIsAlike) {
   const LateralForce bowl = [](double y) { return std::optional(20 * y * y); };
   LateralSearch search({.wanted = 0.1, .start = 0.5, .resultant = 1e4}, bowl, known);
   const LateralPosition said = search.describe(search.find(bowl), 20);
-  EXPECT_GT(said.error, 0.9) << "the force is 20 N at 1 mm";
-  EXPECT_LT(said.error, 2.0);
-  EXPECT_NEAR(std::abs(said.slope) * said.error, 20, 0.01) << "the slope that the error is made from";
+  EXPECT_GT(said.lateral.error, 0.9) << "the force is 20 N at 1 mm";
+  EXPECT_LT(said.lateral.error, 2.0);
+  EXPECT_NEAR(std::abs(said.slope) * said.lateral.error, 20, 0.01) << "the slope that the error is made from";
 }
 
 TEST(LateralForce, ManyForcesOfOneSceneAreCheap) {
@@ -172,19 +172,18 @@ TEST(PrescribedLateralForce, FindsThePositionThatBearsIt) {
   const SceneResult there = Sequence().solve(rolling_at(6.62));
   Sequence sequence;
   const SceneResult found =
-      sequence.solve(rolling_at(6.5, fmt::format("load.force_y = {:.17g}\n", there.result.Fy)));
-  ASSERT_TRUE(found.found_lateral && found.result.certificate.holds());
-  EXPECT_NEAR(found.found_lateral->lateral, 6.62, 1e-5);
-  EXPECT_NEAR(found.result.Fy, there.result.Fy, 0.2);
-  EXPECT_NEAR(largest_pressure(found.result), largest_pressure(there.result),
-              1e-3 * largest_pressure(there.result));
+      sequence.solve(rolling_at(6.5, fmt::format("load.force_y = {:.17g}\n", there.result.totals.Fy.value)));
+  ASSERT_TRUE(found.motion.found_lateral && found.result.trust.certificate.holds());
+  EXPECT_NEAR(found.motion.found_lateral->lateral, 6.62, 1e-5);
+  EXPECT_NEAR(found.result.totals.Fy, there.result.totals.Fy, 0.2);
+  EXPECT_NEAR(found.result.totals.pmax, there.result.totals.pmax, 1e-3 * there.result.totals.pmax);
   // The next one on the same branch: rough solutions are there already.
   const int rough = sequence.counts().rough;
   EXPECT_LE(rough, 40);
   const SceneResult next = sequence.solve(rolling_at(6.5, "load.force_y = 2e4\n"));
   EXPECT_LE(sequence.counts().rough - rough, 20);
-  EXPECT_NEAR(next.result.Fy, 2e4, 0.2);
-  EXPECT_LT(*next.lateral, 6.62);
+  EXPECT_NEAR(next.result.totals.Fy, 2e4, 0.2);
+  EXPECT_LT(*next.motion.lateral, 6.62);
 }
 
 /// A start that bears the force is the answer: one solution, and few rough ones for its error.
@@ -192,26 +191,26 @@ TEST(PrescribedLateralForce, AStartThatIsASolutionIsSolvedOnce) {
   for (const double lateral : {6.62, 0.0}) {
     const SceneResult there = Sequence().solve(rolling_at(lateral));
     Sequence sequence;
-    const SceneResult again =
-        sequence.solve(rolling_at(lateral, fmt::format("load.force_y = {:.17g}\n", there.result.Fy)));
-    ASSERT_TRUE(again.found_lateral);
-    EXPECT_EQ(again.found_lateral->lateral, lateral);
-    EXPECT_EQ(again.result.Fy, there.result.Fy);
+    const SceneResult again = sequence.solve(
+        rolling_at(lateral, fmt::format("load.force_y = {:.17g}\n", there.result.totals.Fy.value)));
+    ASSERT_TRUE(again.motion.found_lateral);
+    EXPECT_EQ(again.motion.found_lateral->lateral, lateral);
+    EXPECT_EQ(again.result.totals.Fy, there.result.totals.Fy);
     EXPECT_EQ(sequence.counts().solves, 1);
     EXPECT_LE(sequence.counts().rough, 20) << "12 mm in doubling steps to either side";
-    EXPECT_NE(again.found_lateral->slope, 0);
+    EXPECT_NE(again.motion.found_lateral->slope, 0);
   }
 }
 
 /// From beside the greatest force of the flange, where one rough solution misses the model's by much.
 TEST(PrescribedLateralForce, AForceNearTheGreatestIsFound) {
   const std::string more = "motion.frictionless = true\nposition.rail_inclination = 0.05\n";
-  const double force = Sequence().solve(rolling_at(6.75, more)).result.Fy;
+  const double force = Sequence().solve(rolling_at(6.75, more)).result.totals.Fy;
   for (const double start : {6.65, 6.85}) {
     const SceneResult found =
         Sequence().solve(rolling_at(start, more + fmt::format("load.force_y = {:.17g}\n", force)));
-    EXPECT_NEAR(found.result.Fy, force, 0.3);
-    EXPECT_NEAR(found.found_lateral->lateral, 6.75, 1e-3);
+    EXPECT_NEAR(found.result.totals.Fy, force, 0.3);
+    EXPECT_NEAR(found.motion.found_lateral->lateral, 6.75, 1e-3);
   }
 }
 
@@ -224,16 +223,16 @@ TEST(PrescribedLateralForce, ATreadWhoseForceSaysLittleIsFoundWithinTheStatedErr
     return scene;
   };
   for (const double lateral : {-5.0, -3.0, 0.0, 2.0}) {
-    const double force = Sequence().solve(finer(lateral)).result.Fy;
+    const double force = Sequence().solve(finer(lateral)).result.totals.Fy;
     for (const double away : {-0.1, 0.1}) {
       SceneFile asked = finer(lateral + away);
       asked.load.force_y = force;
       const SceneResult found = Sequence().solve(asked);
-      ASSERT_TRUE(found.found_lateral);
-      EXPECT_NEAR(found.result.Fy, force, 0.2);
-      EXPECT_NEAR(found.found_lateral->lateral, lateral, found.found_lateral->error);
-      EXPECT_GT(found.found_lateral->error, lateral::unsure);
-      EXPECT_LT(std::abs(found.found_lateral->slope), 2000);
+      ASSERT_TRUE(found.motion.found_lateral);
+      EXPECT_NEAR(found.result.totals.Fy, force, 0.2);
+      EXPECT_NEAR(found.motion.found_lateral->lateral, lateral, found.motion.found_lateral->lateral.error);
+      EXPECT_GT(found.motion.found_lateral->lateral.error, lateral::unsure);
+      EXPECT_LT(std::abs(found.motion.found_lateral->slope), 2000);
       EXPECT_THAT(found.warnings,
                   Contains(HasSubstr("load.force_y says little of the lateral displacement")));
     }
@@ -241,22 +240,23 @@ TEST(PrescribedLateralForce, ATreadWhoseForceSaysLittleIsFoundWithinTheStatedErr
 }
 
 TEST(PrescribedLateralForce, AnUnknownErrorOfTheForceIsWarnedOfToo) {
-  const double force = Sequence().solve(rolling_at(0)).result.Fy;
+  const double force = Sequence().solve(rolling_at(0)).result.totals.Fy;
   const SceneResult found = Sequence().solve(rolling_at(0.1, fmt::format("load.force_y = {:.17g}\n", force)));
-  ASSERT_TRUE(found.found_lateral);
-  ASSERT_TRUE(std::isnan(found.found_lateral->error)) << "the elements are too large for an estimate";
+  ASSERT_TRUE(found.motion.found_lateral);
+  ASSERT_TRUE(std::isnan(found.motion.found_lateral->lateral.error))
+      << "the elements are too large for an estimate";
   EXPECT_THAT(found.warnings, Contains(HasSubstr("and its error is not known")));
 }
 
 TEST(PrescribedLateralForce, ATreadWithoutFrictionIsFoundWithoutAWarning) {
   const std::string more = "motion.frictionless = true\nposition.rail_inclination = 0.025\n";
   const SceneResult there = Sequence().solve(rolling_at(1, more));
-  const SceneResult found =
-      Sequence().solve(rolling_at(1.1, more + fmt::format("load.force_y = {:.17g}\n", there.result.Fy)));
-  ASSERT_TRUE(found.found_lateral);
-  EXPECT_NEAR(found.found_lateral->lateral, 1, found.found_lateral->error);
-  EXPECT_LT(found.found_lateral->error, 0.02);
-  EXPECT_NEAR(found.found_lateral->slope, 1960, 200);
+  const SceneResult found = Sequence().solve(
+      rolling_at(1.1, more + fmt::format("load.force_y = {:.17g}\n", there.result.totals.Fy.value)));
+  ASSERT_TRUE(found.motion.found_lateral);
+  EXPECT_NEAR(found.motion.found_lateral->lateral, 1, found.motion.found_lateral->lateral.error);
+  EXPECT_LT(found.motion.found_lateral->lateral.error, 0.02);
+  EXPECT_NEAR(found.motion.found_lateral->slope, 1960, 200);
   EXPECT_THAT(found.warnings, IsEmpty());
 }
 
@@ -264,10 +264,10 @@ TEST(PrescribedLateralForce, TheLeastForceOfATreadIsFound) {
   const std::string more = "motion.frictionless = true\nposition.rail_inclination = 0.05\n";
   const SceneResult there = Sequence().solve(rolling_at(-1, more));
   for (const double start : {-1.1, -0.9}) {
-    const SceneResult found =
-        Sequence().solve(rolling_at(start, more + fmt::format("load.force_y = {:.17g}\n", there.result.Fy)));
-    ASSERT_TRUE(found.found_lateral);
-    EXPECT_NEAR(found.found_lateral->lateral, -1, found.found_lateral->error);
+    const SceneResult found = Sequence().solve(
+        rolling_at(start, more + fmt::format("load.force_y = {:.17g}\n", there.result.totals.Fy.value)));
+    ASSERT_TRUE(found.motion.found_lateral);
+    EXPECT_NEAR(found.motion.found_lateral->lateral, -1, found.motion.found_lateral->lateral.error);
     EXPECT_THAT(found.warnings, Contains(HasSubstr("says little of the lateral displacement")));
   }
 }
@@ -275,21 +275,21 @@ TEST(PrescribedLateralForce, TheLeastForceOfATreadIsFound) {
 TEST(PrescribedLateralForce, TheNearestBranchIsTakenAndTheOthersAreSaid) {
   const SceneResult flange =
       Sequence().solve(rolling_at(7, "motion.frictionless = true\nload.force_y = 2e5\n"));
-  ASSERT_TRUE(flange.found_lateral);
-  ASSERT_FALSE(flange.found_lateral->others.empty()) << "behind the steepest place of the flange";
-  const double other = flange.found_lateral->others.front();
+  ASSERT_TRUE(flange.motion.found_lateral);
+  ASSERT_FALSE(flange.motion.found_lateral->others.empty()) << "behind the steepest place of the flange";
+  const double other = flange.motion.found_lateral->others.front();
   const SceneResult beyond =
       Sequence().solve(rolling_at(other, "motion.frictionless = true\nload.force_y = 2e5\n"));
-  EXPECT_NEAR(beyond.found_lateral->lateral, other, 0.1);
-  EXPECT_NEAR(beyond.result.Fy, 2e5, 0.3);
+  EXPECT_NEAR(beyond.motion.found_lateral->lateral, other, 0.1);
+  EXPECT_NEAR(beyond.result.totals.Fy, 2e5, 0.3);
 }
 
 TEST(PrescribedLateralForce, ALeftWheelIsTheMirrorImage) {
   const SceneResult right = Sequence().solve(rolling_at(6.5, "load.force_y = 3e4\n"));
   const SceneResult left =
       Sequence().solve(rolling_at(-6.5, "position.side = \"left\"\nload.force_y = 3e4\n"));
-  EXPECT_NEAR(*left.lateral, -*right.lateral, 1e-7);
-  EXPECT_NEAR(largest_pressure(left.result), largest_pressure(right.result), 1e-3);
+  EXPECT_NEAR(*left.motion.lateral, -*right.motion.lateral, 1e-7);
+  EXPECT_NEAR(left.result.totals.pmax, right.result.totals.pmax, 1e-3);
 }
 
 /// What can be reached does not depend on what was wanted, and can be asked for.
@@ -316,7 +316,7 @@ TEST(PrescribedLateralForce, TheWarningOfAMissedAccuracyNamesTheLimit) {
   scene.grid = {};
   scene.grid.accuracy = 0.02;
   const SceneResult found = Sequence().solve(scene);
-  EXPECT_GT(asked_error(scene.grid, found), 0.02);
+  EXPECT_GT(asked_error(scene.grid, found.result), 0.02);
   EXPECT_THAT(found.warnings, Contains(HasSubstr("elements in contact; at most 1400 are tried)")));
 }
 
@@ -331,10 +331,10 @@ TEST(PrescribedLateralForce, TheReachableForcesAreThoseOfTheModel) {
     std::smatch found;
     ASSERT_TRUE(std::regex_search(message, found, range)) << message;
     const double least = std::stod(found[1]), most = std::stod(found[2]);
-    EXPECT_NEAR(Sequence().solve(rolling_at(std::stod(found[3]), cant)).result.Fy, least, 1);
-    EXPECT_NEAR(Sequence().solve(rolling_at(std::stod(found[4]), cant)).result.Fy, most, 1e-3 * most);
+    EXPECT_NEAR(Sequence().solve(rolling_at(std::stod(found[3]), cant)).result.totals.Fy, least, 1);
+    EXPECT_NEAR(Sequence().solve(rolling_at(std::stod(found[4]), cant)).result.totals.Fy, most, 1e-3 * most);
     for (const double lateral : {-10, -8, -6, -4, 0, 2})
-      EXPECT_GE(Sequence().solve(rolling_at(lateral, cant)).result.Fy, least - 1) << lateral;
+      EXPECT_GE(Sequence().solve(rolling_at(lateral, cant)).result.totals.Fy, least - 1) << lateral;
   }
 }
 

@@ -174,15 +174,15 @@ TEST(ModelChoice, TakesTheBestModelOffTheStrips) {
   const SceneFile tread = corner(0, "[motion]\nfriction = 0.3\n");
   const SceneResult solved = Sequence().solve(tread);
   EXPECT_TRUE(certified(solved));
-  EXPECT_EQ(solved.model, Model::halfspace);
+  EXPECT_EQ(solved.choice.model, Model::halfspace);
   EXPECT_THAT(solved.warnings, Contains(AllOf(HasSubstr("needed here"),
                                               HasSubstr("% in friction_power: more than the 1 % allowed"),
                                               HasSubstr("influence files do not cover this contact"))));
   EXPECT_THROW(Sequence().solve(with_model(tread, Model::fem)), InputError);
   EXPECT_THAT(Sequence().check(tread).lines, Contains(HasSubstr("model: auto, which takes halfspace")));
-  EXPECT_EQ(Sequence().solve(corner(6.5, "[motion]\nfriction = 0.3\n")).model, Model::fem);
+  EXPECT_EQ(Sequence().solve(corner(6.5, "[motion]\nfriction = 0.3\n")).choice.model, Model::fem);
   SceneFile by_force = tread;
-  by_force.load.force_y = solved.result.Fy;
+  by_force.load.force_y = solved.result.totals.Fy;
   EXPECT_THAT(Sequence().solve(by_force).warnings, Contains(HasSubstr("do not cover this contact")));
 }
 
@@ -208,7 +208,7 @@ TEST(ModelChoice, PredictionsHoldOnTheGaugeCorner) {
       const ModelErrors predicted = predicted_errors(model, traits);
       const double pmax = std::abs(r.result.patches.at(0).pmax / fem.result.patches.at(0).pmax - 1);
       EXPECT_LT(pmax, predicted.pmax) << lateral << name_of(model);
-      EXPECT_LT(std::abs(r.result.Fy - fem.result.Fy) / traits.normal, predicted.forces)
+      EXPECT_LT(std::abs(r.result.totals.Fy - fem.result.totals.Fy) / traits.normal, predicted.forces)
           << lateral << name_of(model);
       return pmax;
     };
@@ -226,7 +226,7 @@ TEST(ModelChoice, OpensNoInfluenceFileWithoutNeed) {
         0, "[motion]\nfrictionless = true\n[solver]\nmodel_tolerance = " + std::to_string(tolerance) + "\n",
         file.string());
   };
-  EXPECT_NE(Sequence().solve(scene(0.1)).model, Model::fem);
+  EXPECT_NE(Sequence().solve(scene(0.1)).choice.model, Model::fem);
   EXPECT_NO_THROW(Sequence().solve(with_model(scene(0.1), Model::tangent_plane)));
   EXPECT_THROW(Sequence().solve(scene(1e-6)), InputError)
       << "finite elements are needed, and their file is read";
@@ -239,11 +239,12 @@ TEST(ModelChoice, AnswersAsTheModelThatItNames) {
     SceneFile scene = corner(6.5, "[motion]\nfrictionless = true\n");
     scene.solver.model_tolerance = tolerance;
     const SceneResult chosen = Sequence().solve(scene);
-    const SceneResult asked = Sequence().solve(with_model(scene, chosen.model));
-    EXPECT_EQ(chosen.model, tolerance > 0.1 ? Model::halfspace : Model::fem) << chosen.why_this_model;
-    EXPECT_NEAR(chosen.result.Fy, asked.result.Fy, 1e-6 * asked.result.Fz);
-    EXPECT_THAT(chosen.why_this_model, tolerance > 0.1 ? HasSubstr("within the 20 % allowed")
-                                                       : HasSubstr("error of half-space theory is"));
+    const SceneResult asked = Sequence().solve(with_model(scene, chosen.choice.model));
+    EXPECT_EQ(chosen.choice.model, tolerance > 0.1 ? Model::halfspace : Model::fem)
+        << chosen.choice.why_this_model;
+    EXPECT_NEAR(chosen.result.totals.Fy, asked.result.totals.Fy, 1e-6 * asked.result.totals.Fz);
+    EXPECT_THAT(chosen.choice.why_this_model, tolerance > 0.1 ? HasSubstr("within the 20 % allowed")
+                                                              : HasSubstr("error of half-space theory is"));
   }
 }
 
@@ -255,8 +256,8 @@ TEST(ModelChoice, HoldsOnTheSolution) {
                                        "[grid]\nmx = 30\nms = 40\ndx = 0.5\nds = 0.45\n");
     scene.solver.model_tolerance = tolerance;
     const SceneResult r = Sequence().solve(scene);
-    EXPECT_EQ(r.model, halfspace_pmax_error(r) <= tolerance ? Model::halfspace : Model::tangent_plane)
-        << tolerance << r.why_this_model;
+    EXPECT_EQ(r.choice.model, halfspace_pmax_error(r) <= tolerance ? Model::halfspace : Model::tangent_plane)
+        << tolerance << r.choice.why_this_model;
   }
 }
 
@@ -287,8 +288,8 @@ TEST(ModelChoice, GoesUpWhereTheSolutionSaysSo) {
   ASSERT_LT(foreseen, found);
   scene.solver.model_tolerance = 0.5 * (foreseen + found);
   const SceneResult r = Sequence().solve(scene);
-  EXPECT_EQ(r.model, Model::tangent_plane) << r.why_this_model;
-  EXPECT_TRUE(r.result.converged);
+  EXPECT_EQ(r.choice.model, Model::tangent_plane) << r.choice.why_this_model;
+  EXPECT_TRUE(r.result.certified());
 }
 
 } // namespace

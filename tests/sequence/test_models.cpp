@@ -78,8 +78,8 @@ TEST(Models, AClosedFormIsChosenWhereItFits) {
   SceneFile scene = shipped("hertz.toml");
   scene.solver.model.reset();
   const SceneResult r = Sequence().solve(scene);
-  EXPECT_TRUE(is_closed_form(r.model)) << r.why_this_model;
-  EXPECT_THAT(r.why_this_model, ::testing::HasSubstr(elasticity_model(r.model).in_words));
+  EXPECT_TRUE(is_closed_form(r.choice.model)) << r.choice.why_this_model;
+  EXPECT_THAT(r.choice.why_this_model, ::testing::HasSubstr(elasticity_model(r.choice.model).in_words));
 }
 
 } // namespace

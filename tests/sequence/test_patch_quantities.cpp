@@ -98,7 +98,7 @@ TEST(PatchQuantities, SumsOverPatchesAreTheTotals) {
     return total;
   };
   for (const char* force : {"Fx", "Fy", "Fz"})
-    EXPECT_NEAR(sum(force), quantity(force).value(r), 1e-9 * r.result.Fz) << force;
+    EXPECT_NEAR(sum(force), quantity(force).value(r), 1e-9 * r.result.totals.Fz) << force;
   for (const char* number : {"area", "T_gamma", "contact", "adhesion", "slip"})
     EXPECT_NEAR(sum(number), quantity(number).value(r), 1e-9 * quantity(number).value(r)) << number;
   // About z through the origin: M_s sin(delta) + M_n cos(delta) of the moment, and the force at its centre.
@@ -106,7 +106,7 @@ TEST(PatchQuantities, SumsOverPatchesAreTheTotals) {
   for (std::size_t i = 0; i < r.result.patches.size(); ++i)
     mz += of(r, "Ms", i) * std::sin(of(r, "delta", i)) + of(r, "Mn", i) * std::cos(of(r, "delta", i)) +
           of(r, "x", i) * of(r, "Fy", i) - of(r, "y", i) * of(r, "Fx", i);
-  EXPECT_NEAR(mz, r.result.Mz, 1e-9 * std::abs(r.result.Mz));
+  EXPECT_NEAR(mz, r.result.totals.Mz, 1e-9 * std::abs(r.result.totals.Mz));
 }
 
 /// The top of 60E1 is an arc of radius 300 mm about its axis; inclined by 1:40 a wheel touches it there.
@@ -147,14 +147,14 @@ TEST(PatchQuantities, CreepagesAreThoseAtThePatch) {
   EXPECT_NEAR(of(flat, "xi"), 1e-3 - 2e-4 * of(flat, "s"), 1e-12);
   EXPECT_NEAR(of(flat, "eta"), -5e-4 + 2e-4 * of(flat, "x"), 1e-12);
   EXPECT_NEAR(of(flat, "phi"), 2e-4, 1e-12);
-  EXPECT_NEAR(flat.xi, 1e-3, 1e-15);
-  EXPECT_NEAR(flat.eta, -5e-4, 1e-15);
+  EXPECT_NEAR(flat.motion.xi, 1e-3, 1e-15);
+  EXPECT_NEAR(flat.motion.eta, -5e-4, 1e-15);
   // A force is prescribed: the creepage found is in both.
   const SceneResult found =
       solved("kind = 'patch'\nload.force = 1e4\nload.force_x = 1000\n[motion]\nxi = 1e-3\n"
              "[grid]\ndx = 0.5\nds = 0.5\nmx = 24\nms = 20\n[gap]\na = 1e-3\nb = 1e-3\n");
-  EXPECT_NEAR(of(found, "xi"), 1e-3 + found.result.creepage_x, 1e-12);
-  EXPECT_EQ(found.xi, 1e-3 + found.result.creepage_x);
+  EXPECT_NEAR(of(found, "xi"), 1e-3 + found.result.totals.creepage_x, 1e-12);
+  EXPECT_EQ(found.motion.xi, 1e-3 + found.result.totals.creepage_x);
   // A rolling wheel spins over an inclined rail by sin(delta) / R.
   const SceneResult two = two_patches();
   for (std::size_t i = 0; i < two.result.patches.size(); ++i) {

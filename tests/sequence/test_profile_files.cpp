@@ -48,7 +48,7 @@ struct Contact {
 
 Contact contact_of(const SceneFile& scene) {
   const ContactResult result = Sequence().solve(scene).result;
-  return {largest_pressure(result), contact_area(result)};
+  return {result.totals.pmax, result.totals.area};
 }
 
 /// A small version of tools/benchmarks/profile_noise.
@@ -124,7 +124,7 @@ TEST_F(ProfileFiles, ARollerInAGrooveNeedsNeitherGaugeFaceNorFlange) {
   EXPECT_THAT(message_of([&] { Sequence().solve(scene(files)); }), HasSubstr("rail.place = \"absolute\""));
   const SceneFile placed = scene(files + "rail.place = \"absolute\"\nwheel.place = \"absolute\"\n");
   const SceneResult result = Sequence().solve(placed);
-  const Contact contact = {largest_pressure(result.result), contact_area(result.result)};
+  const Contact contact = {result.result.totals.pmax, result.result.totals.area};
   const Contact hertz = [&] {
     SceneFile closed_form = placed;
     closed_form.solver.model = Model::hertz;

@@ -45,11 +45,11 @@ TEST_F(RollerRig, TwoEqualDiscsAreHertz) {
   for (const char* model : {"hertz", "halfspace", "tangent_plane"}) {
     const SceneResult r =
         Sequence().solve(scene(fmt::format("motion.frictionless = true\nsolver.model = '{}'\n", model)));
-    ASSERT_TRUE(r.result.converged) << model;
+    ASSERT_TRUE(r.result.certified()) << model;
     ASSERT_EQ(r.result.patches.size(), 1u) << model;
     const PatchSummary& patch = r.result.patches.front();
     EXPECT_NEAR(patch.pmax, exact.max_pressure, 5e-3 * exact.max_pressure) << model;
-    EXPECT_NEAR(r.result.approach, exact.approach, 5e-3 * exact.approach) << model;
+    EXPECT_NEAR(r.result.totals.approach, exact.approach, 5e-3 * exact.approach) << model;
     EXPECT_NEAR(patch.area, std::numbers::pi * exact.semi_axis_x * exact.semi_axis_s, 0.03 * patch.area)
         << model;
   }
@@ -63,16 +63,16 @@ TEST_F(RollerRig, TheRollersSpeedMakesTheCreepage) {
   const SceneResult free = solved("");
   // Rigid slip and rolling radius are taken on the undeformed roller, as far from the wheel as the gap h
   // there: they are off by some h / R, on a track too.
-  ASSERT_TRUE(free.free_rolling);
-  EXPECT_LT(std::abs(free.free_rolling->xi), 0.5 * free.result.approach / disc);
+  ASSERT_TRUE(free.motion.free_rolling);
+  EXPECT_LT(std::abs(free.motion.free_rolling->xi), 0.5 * free.result.totals.approach / disc);
   // v_r = 2010, v_w = 1990 mm/s: 20 over the mean of 2000.
   const SceneResult fast = solved("motion.pitch_rate = 9.95\nmotion.roller_speed = 10.05\n");
   const SceneResult given = solved("motion.xi = 0.01\n");
   EXPECT_NEAR(fast.patch_places.front().xi, 0.01, 1e-6);
-  EXPECT_NEAR(fast.result.Fx, given.result.Fx, 1e-5 * force);
-  EXPECT_GT(fast.result.Fx, 0.25 * force);
+  EXPECT_NEAR(fast.result.totals.Fx, given.result.totals.Fx, 1e-5 * force);
+  EXPECT_GT(fast.result.totals.Fx, 0.25 * force);
   const SceneResult slow = solved("motion.pitch_rate = 10.05\nmotion.roller_speed = 9.95\n");
-  EXPECT_NEAR(slow.result.Fx, -fast.result.Fx, 1e-4 * force);
+  EXPECT_NEAR(slow.result.totals.Fx, -fast.result.totals.Fx, 1e-4 * force);
   // A yawed disc slides sideways as on a track.
   EXPECT_NEAR(solved("position.yaw = 3e-3\n").patch_places.front().eta, -3e-3, 1e-5);
 }
@@ -82,11 +82,12 @@ TEST_F(RollerRig, ALargeRollerIsTheTrack) {
       "motion = { friction = 0.3, xi = 1e-3 }\nposition.yaw = 2e-3\nsolver.model = 'halfspace'\n";
   const SceneResult track = Sequence().solve(scene(rolling, 0)),
                     roller = Sequence().solve(scene(rolling, 1e6));
-  EXPECT_NEAR(roller.result.Fx, track.result.Fx, 5e-4 * force);
-  EXPECT_NEAR(roller.result.Fy, track.result.Fy, 5e-4 * force);
-  EXPECT_NEAR(roller.result.approach, track.result.approach, 5e-4 * track.result.approach);
-  ASSERT_TRUE(roller.free_rolling && track.free_rolling);
-  EXPECT_NEAR(roller.free_rolling->rolling_radius, track.free_rolling->rolling_radius, 1e-3);
+  EXPECT_NEAR(roller.result.totals.Fx, track.result.totals.Fx, 5e-4 * force);
+  EXPECT_NEAR(roller.result.totals.Fy, track.result.totals.Fy, 5e-4 * force);
+  EXPECT_NEAR(roller.result.totals.approach, track.result.totals.approach,
+              5e-4 * track.result.totals.approach);
+  ASSERT_TRUE(roller.motion.free_rolling && track.motion.free_rolling);
+  EXPECT_NEAR(roller.motion.free_rolling->rolling_radius, track.motion.free_rolling->rolling_radius, 1e-3);
 }
 
 } // namespace

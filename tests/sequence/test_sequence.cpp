@@ -33,12 +33,12 @@ int in_contact(const SceneResult& r) {
 
 /// Two certified results on the same elements.
 void expect_same(const SceneResult& a, const SceneResult& b) {
-  ASSERT_TRUE(a.result.certificate.holds());
-  ASSERT_TRUE(b.result.certificate.holds());
-  const double scale = std::abs(a.result.Fz);
-  EXPECT_NEAR(a.result.Fx, b.result.Fx, 1e-5 * scale);
-  EXPECT_NEAR(a.result.Fy, b.result.Fy, 1e-5 * scale);
-  EXPECT_NEAR(a.result.approach, b.result.approach, 1e-6 * a.result.approach);
+  ASSERT_TRUE(a.result.trust.certificate.holds());
+  ASSERT_TRUE(b.result.trust.certificate.holds());
+  const double scale = std::abs(a.result.totals.Fz);
+  EXPECT_NEAR(a.result.totals.Fx, b.result.totals.Fx, 1e-5 * scale);
+  EXPECT_NEAR(a.result.totals.Fy, b.result.totals.Fy, 1e-5 * scale);
+  EXPECT_NEAR(a.result.totals.approach, b.result.totals.approach, 1e-6 * a.result.totals.approach);
   EXPECT_EQ(in_contact(a), in_contact(b));
 }
 
@@ -146,9 +146,9 @@ TEST(Sequence, AnAccuracyIsReachedWithMoreElementsTheFinerItIs) {
     int most = 0;
     for (const double lateral : {-1.0, -0.8, 4.2}) {
       const SceneResult r = sequence.solve(rolling(lateral, 1e5, fmt::format("accuracy = {}\n", accuracy)));
-      EXPECT_TRUE(r.result.certificate.holds());
-      EXPECT_GT(r.result.certificate.discretisation, 0);
-      EXPECT_LE(r.result.certificate.discretisation, accuracy) << lateral;
+      EXPECT_TRUE(r.result.trust.certificate.holds());
+      EXPECT_GT(r.result.trust.certificate.discretisation, 0);
+      EXPECT_LE(r.result.trust.certificate.discretisation, accuracy) << lateral;
       most = std::max(most, in_contact(r));
     }
     EXPECT_GT(most, before);
@@ -162,7 +162,7 @@ TEST(Sequence, OtherScenesAreSolvedByThemselves) {
                        "0.5\nmx = 16\nms = 16\n[gap]\na = 1e-3\nb = 1e-3\n");
   Sequence sequence;
   sequence.solve(rolling(1.0));
-  EXPECT_EQ(sequence.solve(patch).result.Fx, Sequence().solve(patch).result.Fx);
+  EXPECT_EQ(sequence.solve(patch).result.totals.Fx, Sequence().solve(patch).result.totals.Fx);
   EXPECT_EQ(sequence.counts().starts, 0);
 }
 
@@ -172,14 +172,14 @@ TEST(Sequence, AnAccuracyIsReachedWherePmaxDoesNotConvergeAtFirst) {
       "rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nposition.rail_inclination = 0.025\n"
       "load.force = 8e4\nsolver.model = \"halfspace\"\n";
   const double exact =
-      largest_pressure(Sequence().solve(parse_scene_file(scene + "grid.dx = 0.25\ngrid.ds = 0.1\n")).result);
+      Sequence().solve(parse_scene_file(scene + "grid.dx = 0.25\ngrid.ds = 0.1\n")).result.totals.pmax;
   for (const double accuracy : {0.05, 0.02}) {
     const SceneResult r =
         Sequence().solve(parse_scene_file(scene + fmt::format("grid.accuracy = {}\n", accuracy)));
-    ASSERT_TRUE(r.result.converged && r.result.discretisation);
-    EXPECT_TRUE(r.result.discretisation->converges);
-    EXPECT_LE(r.result.discretisation->errors.pmax, accuracy * exact);
-    EXPECT_NEAR(largest_pressure(r.result), exact, accuracy * exact);
+    ASSERT_TRUE(r.result.certified() && r.result.trust.discretisation);
+    EXPECT_TRUE(r.result.trust.discretisation->converges);
+    EXPECT_LE(r.result.totals.pmax.error, accuracy * exact);
+    EXPECT_NEAR(r.result.totals.pmax, exact, accuracy * exact);
   }
 }
 

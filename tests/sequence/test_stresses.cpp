@@ -87,8 +87,8 @@ TEST(StressesBelow, CarryTheForcesDown) {
   }
   const double inside = 1 - 3 * std::numbers::sqrt2 * 1.5 / (std::numbers::pi * 60.5);
   EXPECT_NEAR(fn, 2e4, 1e-3 * 2e4);
-  EXPECT_NEAR(fx, inside * r.result.Fx, 1e-3 * r.result.Fx);
-  EXPECT_NEAR(fs, inside * r.result.Fy, 1e-3 * r.result.Fx);
+  EXPECT_NEAR(fx, inside * r.result.totals.Fx, 1e-3 * r.result.totals.Fx);
+  EXPECT_NEAR(fs, inside * r.result.totals.Fy, 1e-3 * r.result.totals.Fx);
 }
 
 TEST(StressesBelow, SayWhereTheyAreAnApproximation) {

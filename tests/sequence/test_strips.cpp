@@ -64,8 +64,8 @@ protected:
   static bool served(const SceneFile& scene) {
     try {
       const SceneResult r = Sequence().solve(with_model(scene, Model::fem));
-      EXPECT_TRUE(r.result.certificate.holds());
-      EXPECT_FALSE(r.result.touches_border);
+      EXPECT_TRUE(r.result.trust.certificate.holds());
+      EXPECT_FALSE(r.result.trust.touches_border);
       return true;
     } catch (const InputError& error) {
       EXPECT_THAT(error.what(), AllOf(HasSubstr("reaches the end of a strip"), HasSubstr("-8.25 .. 8.25 mm"),

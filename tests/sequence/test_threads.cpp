@@ -39,16 +39,16 @@ TEST(Threads, OneSequenceIsCalledByMany) {
   EXPECT_EQ(sequence.counts().cases, 6);
   for (std::size_t k = 0; k < results.size(); ++k) {
     const SceneResult alone = Sequence().solve(corner(6.2 + 0.1 * static_cast<double>(k)));
-    ASSERT_TRUE(results[k].result.converged);
-    EXPECT_NEAR(results[k].result.Fy, alone.result.Fy, 1e-5 * alone.result.Fz);
-    EXPECT_NEAR(results[k].result.Fx, alone.result.Fx, 1e-4 * alone.result.Fz);
+    ASSERT_TRUE(results[k].result.certified());
+    EXPECT_NEAR(results[k].result.totals.Fy, alone.result.totals.Fy, 1e-5 * alone.result.totals.Fz);
+    EXPECT_NEAR(results[k].result.totals.Fx, alone.result.totals.Fx, 1e-4 * alone.result.totals.Fz);
   }
 }
 
 TEST(Threads, SequencesWorkSideBySide) {
   std::vector<double> together(4), alone(4);
   const auto fy = [](std::size_t i) {
-    return Sequence().solve(corner(6.2 + 0.1 * static_cast<double>(i))).result.Fy;
+    return Sequence().solve(corner(6.2 + 0.1 * static_cast<double>(i))).result.totals.Fy;
   };
   in_threads(together.size(), [&](std::size_t i) { together[i] = fy(i); });
   for (std::size_t i = 0; i < alone.size(); ++i)
@@ -70,7 +70,7 @@ TEST(Threads, ASolutionIsStoppedAndTheSequenceGoesOn) {
   });
   EXPECT_THROW(sequence.solve(long_one, &stop), Stopped);
   other.join();
-  EXPECT_EQ(sequence.solve(scene).result.converged, Sequence().solve(scene).result.converged);
+  EXPECT_EQ(sequence.solve(scene).result.certified(), Sequence().solve(scene).result.certified());
 }
 
 } // namespace

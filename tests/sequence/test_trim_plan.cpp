@@ -63,9 +63,9 @@ TrimmedAndWhole trim(const SceneFile& scene, const FormerSolution* start = nullp
 
 /// Of the result's elements that are elements of `whole` too, every one that is in contact in either.
 void expect_same_tractions(const GridSolution& part, const GridSolution& whole) {
-  ASSERT_TRUE(whole.result.certificate.holds());
-  ASSERT_TRUE(part.result.certificate.holds());
-  EXPECT_FALSE(part.result.touches_border);
+  ASSERT_TRUE(whole.result.trust.certificate.holds());
+  ASSERT_TRUE(part.result.trust.certificate.holds());
+  EXPECT_FALSE(part.result.trust.touches_border);
   const GridPlan &few = part.contact.plan, &all = whole.contact.plan;
   const int row = few.first - all.first, column = (all.columns - few.columns) / 2;
   ASSERT_GE(row, 0);
@@ -118,7 +118,7 @@ TEST(TrimPlan, EveryStepOfAHistoryFits) {
   const GridSolution part = t.solved_on(t.needed.plan), whole = t.solved_on(t.plan);
   ASSERT_EQ(part.history.size(), 3u);
   for (const ContactResult& step : part.history)
-    EXPECT_FALSE(step.touches_border);
+    EXPECT_FALSE(step.trust.touches_border);
   expect_same_tractions(part, whole);
 }
 
@@ -152,16 +152,18 @@ TEST(FittedPlan, FollowsTheContactOfTheFormerCase) {
        {std::pair(6.91, 8e4), {6.95, 8e4}, {7.0, 8e4}, {7.0, 1e5}, {7.1, 4e4}, {7.05, 1.2e5}}) {
     const SceneFile scene = scene_at(lateral, force);
     const SceneResult after = sequence.solve(scene), alone = Sequence().solve(scene);
-    ASSERT_TRUE(after.result.certificate.holds()) << lateral;
-    ASSERT_TRUE(alone.result.certificate.holds()) << lateral;
-    EXPECT_FALSE(after.result.touches_border) << lateral;
+    ASSERT_TRUE(after.result.trust.certificate.holds()) << lateral;
+    ASSERT_TRUE(alone.result.trust.certificate.holds()) << lateral;
+    EXPECT_FALSE(after.result.trust.touches_border) << lateral;
     EXPECT_LE(after.problem.grid.size(), alone.problem.grid.size()) << lateral;
     fewer += after.problem.grid.ms < alone.problem.grid.ms ? 1 : 0;
     EXPECT_EQ(count_elements(after.result).contact, count_elements(alone.result).contact) << lateral;
-    EXPECT_NEAR(after.result.approach, alone.result.approach, 1e-6 * alone.result.approach) << lateral;
-    EXPECT_NEAR(after.result.Fy, alone.result.Fy, 1e-6 * force) << lateral;
-    EXPECT_NEAR(after.result.Fx, alone.result.Fx, 1e-6 * force) << lateral;
-    EXPECT_NEAR(largest_pressure(after.result), largest_pressure(alone.result), 1e-6 * 1e3) << lateral;
+    EXPECT_NEAR(after.result.totals.approach, alone.result.totals.approach,
+                1e-6 * alone.result.totals.approach)
+        << lateral;
+    EXPECT_NEAR(after.result.totals.Fy, alone.result.totals.Fy, 1e-6 * force) << lateral;
+    EXPECT_NEAR(after.result.totals.Fx, alone.result.totals.Fx, 1e-6 * force) << lateral;
+    EXPECT_NEAR(after.result.totals.pmax, alone.result.totals.pmax, 1e-6 * 1e3) << lateral;
   }
   EXPECT_GE(fewer, 4);
 }
@@ -228,7 +230,7 @@ TEST(FittedPlan, CoversAContactThatReachesBeyondIt) {
   EXPECT_LT(fits.first, small.first);
   EXPECT_GT(fits.columns, small.columns);
   const GridSolution again = t.solved_on(fits);
-  EXPECT_FALSE(again.result.touches_border);
+  EXPECT_FALSE(again.result.trust.touches_border);
   expect_same_tractions(again, whole);
   ContactCase by_columns = t.asked;
   by_columns.scene.grid.mx = small.columns;
@@ -251,7 +253,7 @@ TEST(FittedPlan, AGrownGridStartsFromTheSmallerOne) {
   const GridSolution grown =
       solve_on_growing_grid(t.asked, t.asked.setup.on(tight), t.task, {.work = work}, false);
   EXPECT_GT(grown.contact.plan.columns, tight.columns);
-  EXPECT_LT(grown.result.tangential_iterations, whole.result.tangential_iterations);
+  EXPECT_LT(grown.result.effort.tangential_iterations, whole.result.effort.tangential_iterations);
   expect_same_tractions(grown, whole);
 }
 
@@ -267,12 +269,12 @@ TEST(TrimPlan, LargeNumbersAreOfTheContactAlone) {
   EXPECT_FALSE(has_large_numbers(asked, plan, Model::halfspace)) << "those are translational";
   Sequence sequence;
   const SceneResult r = sequence.solve(scene);
-  ASSERT_TRUE(r.result.certificate.holds());
-  EXPECT_TRUE(r.free_rolling);
+  ASSERT_TRUE(r.result.trust.certificate.holds());
+  EXPECT_TRUE(r.motion.free_rolling);
   EXPECT_EQ(sequence.counts().numbers_kept, 1);
   const auto megabytes = [](int rows, int columns) { return 72e-6 * rows * rows * (columns + 2); };
   EXPECT_LT(megabytes(r.problem.grid.ms, r.problem.grid.mx), 0.4 * megabytes(plan.rows, plan.columns));
-  EXPECT_FALSE(r.result.touches_border);
+  EXPECT_FALSE(r.result.trust.touches_border);
 
   ContactCase by_rows = asked;
   by_rows.scene.grid.rows = {plan.s_from(), plan.s_to()};

@@ -27,13 +27,13 @@ SceneResult of_steps(const std::string& loads) {
 TEST(Uncertified, NamesTheStepThatFailed) {
   const SceneResult r = of_steps("-0.01\n0.01\n-0.01\n");
   ASSERT_FALSE(certified(r));
-  ASSERT_TRUE(r.result.certificate.holds());
-  const double worst = r.history[1].certificate.worst();
+  ASSERT_TRUE(r.result.trust.certificate.holds());
+  const double worst = r.history[1].trust.certificate.worst();
   ASSERT_GT(worst, 1e-6);
   EXPECT_THAT(why_not_certified(r),
               AllOf(HasSubstr("step 2 of 3 is not a solution"),
                     HasSubstr(fmt::format("its worst violation is {:.1e}, 1e-06", worst)),
-                    HasSubstr(r.history[1].solver_note)));
+                    HasSubstr(r.history[1].trust.solver_note)));
   EXPECT_THAT(uncertified_error(r).what(), HasSubstr("The halfspace result is not a solution (step 2 of 3"));
 }
 

@@ -100,7 +100,7 @@ TEST(WheelRailScene, ASmallYawActsAsALateralVelocity) {
             0, "position.rail_inclination = 0.025\nposition.vertical = 0.23\nmotion.free_rolling = false\n"
                "motion.speed = 2e4\nmotion.pitch_rate = 43.4783\nsolver.model = \"halfspace\"\n" +
                    motion))
-        .result.Fy;
+        .result.totals.Fy;
   };
   const double still = force("motion.lateral_velocity = 0.0\n");
   const double moved = force("motion.lateral_velocity = 0.6\n") - still;
@@ -195,22 +195,24 @@ std::size_t follow(double from, int steps, double step, const std::string& more)
   for (int i = 0; i <= steps; ++i) {
     const SceneFile scene = s1002_on_60e1(from + step * i, more);
     cases.push_back(Sequence().solve(with_model(scene, Model::halfspace)));
-    EXPECT_TRUE(cases.back().result.certificate.holds()) << i << ": " << cases.back().result.solver_note;
-    height.push_back(placed_of(case_of(scene)).pair.wheel_frame().centre[2] + cases.back().result.approach);
+    EXPECT_TRUE(cases.back().result.trust.certificate.holds())
+        << i << ": " << cases.back().result.trust.solver_note;
+    height.push_back(placed_of(case_of(scene)).pair.wheel_frame().centre[2] +
+                     cases.back().result.totals.approach);
     patches.insert(cases.back().result.patches.size());
   }
-  const double force = cases.front().result.Fz;
+  const double force = cases.front().result.totals.Fz;
   double worst = 0, worst_height = 0;
   for (int i = 1; i + 2 <= steps; ++i) {
-    for (double ContactResult::*q : {&ContactResult::Fx, &ContactResult::Fy})
-      worst = std::max(worst, leap([&](int k) { return cases[k].result.*q; }, i) / force);
+    for (Measured ContactTotals::*q : {&ContactTotals::Fx, &ContactTotals::Fy})
+      worst = std::max(worst, leap([&](int k) { return cases[k].result.totals.*q; }, i) / force);
     worst_height = std::max(worst_height, leap([&](int k) { return height[k]; }, i));
   }
   std::printf(
       "y %.2f .. %.2f mm, %zu kinds of areas: forces leap by at most %.2f %% of Fz, the wheel by %.1e mm\n",
       from, from + step * steps, patches.size(), 100 * worst, worst_height);
   EXPECT_LT(worst, 0.002);
-  EXPECT_LT(worst_height, 0.002 * cases.front().result.approach);
+  EXPECT_LT(worst_height, 0.002 * cases.front().result.totals.approach);
   return patches.size();
 }
 
@@ -236,7 +238,7 @@ TEST(WheelRailScene, RowsAskedForOverASecondAreaLeadThereAlongXToo) {
   ASSERT_EQ(both.result.patches.size(), 2u);
   const PatchSummary& second = both.result.patches[1];
   const SceneResult alone = solved(1061, fmt::format("s_from = {}\ns_to = {}\n", second.s - 1, second.s + 1));
-  EXPECT_TRUE(alone.result.converged);
+  EXPECT_TRUE(alone.result.certified());
   ASSERT_EQ(alone.result.patches.size(), 1u);
   EXPECT_NEAR(alone.result.patches[0].x, second.x, 0.3);
   EXPECT_NEAR(alone.result.patches[0].fn, second.fn, 0.1 * second.fn); // other creepages
@@ -256,10 +258,10 @@ TEST(WheelRailScene, AYawedWheelsetIsSolvedOnBothSides) {
     return Sequence().solve(with_model(scene, Model::halfspace));
   };
   const SceneResult right = solved(WheelSide::right, 1), left = solved(WheelSide::left, -1);
-  ASSERT_TRUE(right.result.certificate.holds());
-  EXPECT_NEAR(right.result.Fz, 1e5, 1);
-  EXPECT_EQ(right.result.Fy, left.result.Fy);
-  EXPECT_EQ(right.result.Fx, left.result.Fx);
+  ASSERT_TRUE(right.result.trust.certificate.holds());
+  EXPECT_NEAR(right.result.totals.Fz, 1e5, 1);
+  EXPECT_EQ(right.result.totals.Fy, left.result.totals.Fy);
+  EXPECT_EQ(right.result.totals.Fx, left.result.totals.Fx);
   // Sliding to the left it drags the rail there, with most of what friction can.
   const PatchSummary& patch = right.result.patches.front();
   EXPECT_LT(patch.fs, -0.25 * patch.fn);
@@ -289,10 +291,10 @@ TEST(WheelRailScene, ASecondAreaOffTheStripIsRefused) {
 TEST(WheelRailScene, ASecondAreaLeftOutOnPurposeIsSaid) {
   const SceneResult r =
       Sequence().solve(with_model(parse_scene_file(two_areas("s_from = -30.0\ns_to = -21.4\n")), Model::fem));
-  EXPECT_TRUE(r.result.converged);
+  EXPECT_TRUE(r.result.certified());
   EXPECT_THAT(r.warnings, Contains(HasSubstr("off the rows that the scene asks for")));
   const SceneResult all = Sequence().solve(with_model(parse_scene_file(two_areas("")), Model::halfspace));
-  EXPECT_TRUE(all.result.converged);
+  EXPECT_TRUE(all.result.certified());
   EXPECT_THAT(all.warnings, Not(Contains(HasSubstr("left out"))));
 }
 

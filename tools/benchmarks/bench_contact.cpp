@@ -162,7 +162,7 @@ void solve_scene(benchmark::State& state, const ContactProblem& problem, Kept ke
       for (double& w : *slip)
         w *= 0.99;
     const ContactResult known = solve(before, options);
-    start = {{known.px, known.ps, known.pn}, known.approach};
+    start = {{known.px, known.ps, known.pn}, known.totals.approach};
     options.start = &start;
   }
   if (kept != Kept::nothing)
@@ -183,12 +183,12 @@ void solve_scene(benchmark::State& state, const ContactProblem& problem, Kept ke
   state.counters["turns"] = solution.outer_iterations;
   if (!estimate)
     return;
-  state.counters["residual"] = solve(problem, options).certificate.worst();
+  state.counters["residual"] = solve(problem, options).trust.certificate.worst();
   options = {};
   options.estimate_discretisation = problem.grid.size() < 10000;
   const ContactResult certified = solve(problem, options);
-  state.counters["certificate"] = certified.certificate.worst();
-  state.counters["discretisation"] = certified.certificate.discretisation;
+  state.counters["certificate"] = certified.trust.certificate.worst();
+  state.counters["discretisation"] = certified.trust.certificate.discretisation;
 }
 
 void add(const std::string& name, const Size& size, Numbers numbers, Kind kind, bool by_force,

@@ -56,7 +56,7 @@ public:
     const bem_contact::SceneResult solved = sequence_.solve(scene_.scene());
     microseconds += std::chrono::duration<double, std::micro>(Clock::now() - begin).count();
     ++solutions;
-    if (!solved.result.certificate.holds())
+    if (!solved.result.trust.certificate.holds())
       throw bem_contact::ConvergenceError("A time step has no solution", "its certificate does not hold",
                                           "Coarsen the grid.");
     return sum(solved, sign_ * state[0], stand.height - radius);
@@ -78,7 +78,7 @@ private:
   Forces sum(const bem_contact::SceneResult& solved, double y0, double z0) const {
     const auto& [mx, ms, dx, ds, x0] = solved.problem.grid;
     const auto& result = solved.result;
-    Forces f{.approach = result.approach};
+    Forces f{.approach = result.totals.approach};
     for (std::size_t i = 0; i < result.pn.size(); ++i) {
       const bem_contact::ContactRow& row = solved.problem.rows[i / mx];
       const double x = x0 + dx * static_cast<double>(i % mx);

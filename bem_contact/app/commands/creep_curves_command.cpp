@@ -81,9 +81,9 @@ std::string slopes_text(const CreepCurves& c) {
 std::string sensitivities_text(const CreepCurves& c) {
   std::string out = "Sensitivities at the scene's creepages, by differences\n              force      d/dxi  "
                     "   d/deta     d/dphi\n";
-  const CreepForceValues forces = forces_of(c.solution);
+  const MeasuredCreepForces forces = forces_of(c.solution);
   for (std::size_t f = 0; f < 3; ++f) {
-    out += fmt::format("  {:4} {:12.5g}", EnumNames<CreepForce>::names[f], forces[f]);
+    out += fmt::format("  {:4} {:12.5g}", EnumNames<CreepForce>::names[f], forces[f].value);
     for (std::size_t k = 0; k < 3; ++k)
       out += fmt::format(" {:10.4g}", c.sensitivities.values[f][k]);
     out += '\n';
@@ -99,17 +99,18 @@ std::string sensitivities_text(const CreepCurves& c) {
 
 /// Tables for people: slopes at zero beside Kalker's, sensitivities, and each curve.
 std::string curves_text(const CreepCurves& c) {
-  std::string out = fmt::format("Creep curves, model {}: Fz {:.6g} N, mu Fn {:.6g} N, c = {:.4g} mm\n",
-                                name_of(c.solution.model), c.solution.result.Fz, c.bound, c.radius);
+  std::string out =
+      fmt::format("Creep curves, model {}: Fz {:.6g} N, mu Fn {:.6g} N, c = {:.4g} mm\n",
+                  name_of(c.solution.choice.model), c.solution.result.totals.Fz.value, c.bound, c.radius);
   out += slopes_text(c) + sensitivities_text(c);
   for (const CreepCurve& curve : c.curves) {
     out += fmt::format("Over {}\n  {:>12}        Fx N        Fs N     Mz N mm  |F|/(mu Fn)  adhesion\n",
                        name_of(curve.which), name_of(curve.which));
     for (const CreepPoint& p : curve.points)
-      out +=
-          fmt::format("  {:12.5g} {:11.5g} {:11.5g} {:11.5g} {:12.4f} {:8.1f} %{}\n", p.creepage, p.forces[0],
-                      p.forces[1], p.forces[2], std::hypot(p.forces[0], p.forces[1]) / c.bound,
-                      100 * p.adhesion_share, p.certified ? "" : "  NOT certified");
+      out += fmt::format("  {:12.5g} {:11.5g} {:11.5g} {:11.5g} {:12.4f} {:8.1f} %{}\n", p.creepage,
+                         p.forces[0].value, p.forces[1].value, p.forces[2].value,
+                         std::hypot(p.forces[0], p.forces[1]) / c.bound, 100 * p.adhesion_share,
+                         p.certified ? "" : "  NOT certified");
   }
   return out;
 }

@@ -163,7 +163,7 @@ std::vector<std::string> warnings_of(const Comparison& comparison) {
   const auto note = [&](const std::vector<SceneResult>& results, const char* table) {
     for (const SceneResult& result : results)
       for (const std::string& text : result.warnings)
-        all.push_back({fmt::format("{} at {}", name_of(result.model), table), text});
+        all.push_back({fmt::format("{} at {}", name_of(result.choice.model), table), text});
   };
   note(comparison.at_forces, "equal forces");
   note(comparison.at_position, "equal position");
@@ -188,7 +188,7 @@ ExitCode run_compare(const SceneArguments& arguments) {
     record::write_hdf5(arguments.output, comparison_file(comparison, given, arguments.output));
   if (!arguments.vtk.empty())
     for (const SceneResult& result : comparison.leading())
-      write_vts(surface_of(result.model), result);
+      write_vts(surface_of(result.choice.model), result);
   fmt::print("{}", arguments.json ? json_of(comparison_format, comparison) : to_text(comparison));
   warn(warnings_of(comparison));
   ExitCode worst = success;

@@ -58,7 +58,7 @@ std::string number(double value, double error = unknown_error) {
 }
 
 double error_of(const WheelQuantity& q, const WheelsetResult& r, WheelSide side) {
-  return q.error ? q.error(r.state, side) : unknown_error;
+  return q.measured(r.state, side).error;
 }
 
 /// The stated errors below a line of the table; "" where there are none.

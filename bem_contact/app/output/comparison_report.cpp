@@ -61,7 +61,7 @@ std::string title_of(Model model) {
 }
 
 std::string discretisation_text(const SceneResult& r) {
-  const double estimate = r.result.certificate.discretisation;
+  const double estimate = r.result.trust.certificate.discretisation;
   return estimate < 0 ? "-" : fmt::format("{:.2f} %", 100 * estimate);
 }
 
@@ -90,9 +90,10 @@ std::string table(const Comparison& c, const std::vector<SceneResult>& results) 
     out += row_label(q.label, q.unit);
     std::vector<double> errors;
     for (const SceneResult& r : results) {
-      errors.push_back(q.error(r).value_or(unknown_error));
+      const std::optional<Measured> number = q.of(r);
+      errors.push_back(number ? number->error : unknown_error);
       const bool plain = q.scale == Scale::plain || q.scale == Scale::own;
-      out += cell(text_of(q.of(r), errors.back(), plain ? 0 : rounding * q.scale_of(0, r)));
+      out += cell(text_of(number, errors.back(), plain ? 0 : rounding * q.scale_of(0, r)));
     }
     for (std::size_t i = 0; i < results.size(); ++i)
       if (i != c.reference)
@@ -108,7 +109,7 @@ std::string table(const Comparison& c, const std::vector<SceneResult>& results) 
   add("patches", "", [](const SceneResult& r) { return fmt::format("{}", r.result.patches.size()); });
   add("certified", "", [](const SceneResult& r) { return certified(r) ? "yes" : "NO"; });
   add("worst violation", "",
-      [](const SceneResult& r) { return fmt::format("{:.1e}", r.result.certificate.worst()); });
+      [](const SceneResult& r) { return fmt::format("{:.1e}", r.result.trust.certificate.worst()); });
   add("discretisation (est.)", "", discretisation_text);
   add("seconds", "", [](const SceneResult& r) { return fmt::format("{:.2f}", r.seconds.total); });
   return out;
@@ -128,10 +129,10 @@ std::string datum_text(const Comparison& c, const std::vector<SceneResult>& resu
 std::string forces_title(const Comparison& c) {
   const SceneResult& r = c.at_forces[c.reference];
   const bool patch = c.at_position.empty();
-  return patch ? fmt::format("At equal normal force, {:.6g} N:\n", r.result.Fz)
+  return patch ? fmt::format("At equal normal force, {:.6g} N:\n", r.result.totals.Fz.value)
                : fmt::format("At equal forces on the rail, {}Fy {:.6g} N, Fz {:.6g} N:\n",
                              r.problem.force_x ? fmt::format("Fx {:.6g} N, ", *r.problem.force_x) : "",
-                             r.result.Fy, r.result.Fz);
+                             r.result.totals.Fy.value, r.result.totals.Fz.value);
 }
 
 std::string creep_text(const Comparison& c) {
@@ -177,8 +178,8 @@ std::string to_text(const Comparison& c) {
     out += fmt::format("{}At equal position, {}Fz {:.6g} N:\n", one_set ? "" : "\n",
                        one_set ? ""
                                : fmt::format("lateral displacement {:g} mm, ",
-                                             c.at_position[c.reference].lateral.value_or(0)),
-                       c.at_position[c.reference].result.Fz) +
+                                             c.at_position[c.reference].motion.lateral.value_or(0)),
+                       c.at_position[c.reference].result.totals.Fz.value) +
            table(c, c.at_position) + datum_text(c, c.at_position);
   return out;
 }

@@ -191,17 +191,19 @@ Repetition repeat_result(const fs::path& file, const fs::path& folder) {
 
   out.model = text("model");
   out.differences = differing_quantities(numbers_before(stored), out.result);
-  if (out.model != name_of(out.result.model))
-    out.others.push_back(fmt::format("the model was {} and is {}", out.model, name_of(out.result.model)));
-  compare_geometry(stored, "rail", out.result.rail_geometry, out.others);
-  compare_geometry(stored, "wheel", out.result.wheel_geometry, out.others);
+  if (out.model != name_of(out.result.choice.model))
+    out.others.push_back(
+        fmt::format("the model was {} and is {}", out.model, name_of(out.result.choice.model)));
+  compare_geometry(stored, "rail", out.result.bodies.rail_geometry, out.others);
+  compare_geometry(stored, "wheel", out.result.bodies.wheel_geometry, out.others);
   return out;
 }
 
 std::string to_text(const Repetition& r) {
-  std::string out = fmt::format("made by {} (commit {}), repeated by {} (commit {}), model {}\n", r.program,
-                                r.commit, provenance("bem_contact"), commit(), name_of(r.result.model));
-  const double tolerance = r.result.result.certificate.tolerance;
+  std::string out =
+      fmt::format("made by {} (commit {}), repeated by {} (commit {}), model {}\n", r.program, r.commit,
+                  provenance("bem_contact"), commit(), name_of(r.result.choice.model));
+  const double tolerance = r.result.result.trust.certificate.tolerance;
   if (r.same())
     return out + fmt::format("the same: every total agrees with the file within the certificate's tolerance "
                              "({:.0e} of its scale)\n",
@@ -213,7 +215,7 @@ std::string to_text(const Repetition& r) {
                        "difference", "allowed", "its error");
   for (const QuantityDifference& d : r.differences) {
     const Quantity& q = *d.quantity;
-    const double error = q.error ? q.error(r.result) : std::nan("");
+    const double error = q.measured(r.result).error;
     out += fmt::format("{:<20} {:>14.9g} {:>14.9g} {:>11.2e} {:>11.1e} {:>11} {}\n", q.name, d.before, d.now,
                        d.now - d.before, d.allowed, std::isnan(error) ? "-" : fmt::format("{:.1e}", error),
                        q.unit.of(is_shift(r.result)));

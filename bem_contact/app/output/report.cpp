@@ -26,15 +26,13 @@ int decimals_for_five(double largest) {
 
 /// "-289.6 +- 12": a quantity with so many decimals, unless its error says more or less.
 std::string fixed(const SceneResult& r, const char* name, int decimals) {
-  const Quantity& q = quantity(name);
-  const double error = q.error ? q.error(r) : unknown_error;
-  return fixed_within(q.value(r), error, decimals) + plus_minus(error);
+  const Measured number = quantity(name).measured(r);
+  return fixed_within(number, number.error, decimals) + plus_minus(number.error);
 }
 /// "191.5 +- 4.2": with so many digits, unless its error says more or less.
 std::string digits(const SceneResult& r, const char* name, int most) {
-  const Quantity& q = quantity(name);
-  const double error = q.error ? q.error(r) : unknown_error;
-  return digits_within(q.value(r), error, most) + plus_minus(error);
+  const Measured number = quantity(name).measured(r);
+  return digits_within(number, number.error, most) + plus_minus(number.error);
 }
 /// The same, always with a sign.
 std::string signed_digits(const SceneResult& r, const char* name, int most) {
@@ -59,57 +57,58 @@ std::string layer_text(const SurfaceLayer& layer) {
 /// Displacement and creepage that were found, and free rolling; "" of a patch.
 std::string rolling_text(const SceneResult& r) {
   std::string out;
-  if (r.found_lateral) {
+  if (r.motion.found_lateral) {
     out += fmt::format("the lateral force asked for: at a lateral displacement of {} mm, where Fy "
                        "changes by {:.4g} N per mm",
-                       fixed(r, "lateral", 5), r.found_lateral->slope);
-    for (const double& other : r.found_lateral->others)
-      out += fmt::format("{} about {:.2f} mm", &other == &r.found_lateral->others.front() ? "; also at" : ",",
-                         other);
+                       fixed(r, "lateral", 5), r.motion.found_lateral->slope);
+    for (const double& other : r.motion.found_lateral->others)
+      out += fmt::format("{} about {:.2f} mm",
+                         &other == &r.motion.found_lateral->others.front() ? "; also at" : ",", other);
     out += '\n';
   }
-  if (r.free_rolling)
+  if (r.motion.free_rolling)
     out += fmt::format(
-        "creepage xi {:+.5g}; the wheel rolls freely at {} (rolling radius {} mm): {}{} from there\n", r.xi,
-        signed_digits(r, "free_rolling_xi", 5), fixed(r, "free_rolling_radius", 4),
-        r.xi < r.free_rolling->xi ? "" : "+",
-        digits_within(r.xi - r.free_rolling->xi, r.free_rolling->xi_error, 5));
+        "creepage xi {:+.5g}; the wheel rolls freely at {} (rolling radius {} mm): {}{} from there\n",
+        r.motion.xi, signed_digits(r, "free_rolling_xi", 5), fixed(r, "free_rolling_radius", 4),
+        r.motion.xi < r.motion.free_rolling->xi ? "" : "+",
+        digits_within(r.motion.xi - r.motion.free_rolling->xi, r.motion.free_rolling->xi.error, 5));
   return out;
 }
 
 /// "pmax 437.0 +- 4.2 MPa, area ..." in one line, with what each stands for.
 std::string pressure_text(const SceneResult& r) {
-  const auto& estimate = r.result.discretisation;
-  const double error = estimate ? 100 * estimate->errors.adhesion_share : unknown_error;
+  const Measured& adhesion = r.result.totals.adhesion_share;
+  const double error = 100 * adhesion.error;
   std::string out = fmt::format("pmax {} MPa, area {} mm2", fixed(r, "pmax", 1), digits(r, "area", 4));
   if (r.problem.has_friction())
-    out += fmt::format(", {}{} % of it in adhesion", fixed_within(100 * adhesion_share(r.result), error, 1),
-                       plus_minus(error));
+    out +=
+        fmt::format(", {}{} % of it in adhesion", fixed_within(100 * adhesion, error, 1), plus_minus(error));
   return out + "\n";
 }
 
 /// The table of patches, each with its errors in a line below. Without friction nothing adheres or slips.
 std::string patches_text(const SceneResult& r, double force) {
   const bool friction = r.problem.has_friction(),
-             errors = r.result.discretisation && r.result.discretisation->converges;
+             errors = r.result.trust.discretisation && r.result.trust.discretisation->converges;
   const int decimals = decimals_for_five(force);
   const auto line = [](const auto&... cells) {
     return fmt::format("{:>5} {:>11} {:>11} {:>11} {:>10} {:>9} {:>9}", cells...);
+  };
+  const auto within = [](const Measured& number, int places) {
+    return fixed_within(number, number.error, places);
   };
   std::string out = line("patch", "Fn N", "Fx N", "Fs N", "overlap", "pmax MPa", "area mm2") +
                     fmt::format(" {:>8}{}\n", "contact", friction ? " adhesion   slip" : "");
   for (std::size_t i = 0; i < r.result.patches.size(); ++i) {
     const PatchSummary& p = r.result.patches[i];
-    const PatchErrors e = errors ? r.result.discretisation->patches.at(i) : PatchErrors{};
     out +=
-        line(i + 1, fixed_within(p.fn, e.fn, decimals), fixed_within(p.fx, e.fx, decimals),
-             fixed_within(p.fs, e.fs, decimals), fixed_within(p.overlap, e.overlap, 5),
-             fixed_within(p.pmax, e.pmax, decimals_for_five(1e1 * p.pmax)),
-             digits_within(p.area, e.area, 5)) +
+        line(i + 1, within(p.fn, decimals), within(p.fx, decimals), within(p.fs, decimals),
+             within(p.overlap, 5), within(p.pmax, decimals_for_five(1e1 * p.pmax)),
+             digits_within(p.area, p.area.error, 5)) +
         fmt::format(" {:>8}{}\n", p.contact, friction ? fmt::format(" {:>8} {:>6}", p.adhesion, p.slip) : "");
     if (errors)
-      out += line("+-", two_digits(e.fn), two_digits(e.fx), two_digits(e.fs), two_digits(e.overlap),
-                  two_digits(e.pmax), two_digits(e.area)) +
+      out += line("+-", two_digits(p.fn.error), two_digits(p.fx.error), two_digits(p.fs.error),
+                  two_digits(p.overlap.error), two_digits(p.pmax.error), two_digits(p.area.error)) +
              "\n";
   }
   return out;
@@ -151,15 +150,16 @@ std::string reason_text(const SceneResult& r) {
   const std::vector<ContactRow>& rows = r.problem.rows;
   const bool plane =
       std::ranges::all_of(rows, [&](const ContactRow& row) { return row.delta == rows.front().delta; });
-  const bool judged = r.why_this_model.starts_with("the normal turns"); // or the scene names the model
-  return !is_closed_form(r.model) && !depends_on_both_rows(r.model) && plane && judged && r.model_enough
+  const bool judged = r.choice.why_this_model.starts_with("the normal turns"); // or the scene names the model
+  return !is_closed_form(r.choice.model) && !depends_on_both_rows(r.choice.model) && plane && judged &&
+                 r.choice.enough
              ? "the surfaces are flat"
-             : r.why_this_model;
+             : r.choice.why_this_model;
 }
 
 /// "certified: yes, ..."
 std::string certified_text(const SceneResult& r) {
-  const Certificate& c = r.result.certificate;
+  const Certificate& c = r.result.trust.certificate;
   const std::string why = why_not_certified(r);
   return fmt::format(
       "certified: {}{}\n",
@@ -172,17 +172,18 @@ std::string certified_text(const SceneResult& r) {
 } // namespace
 
 std::string reference_text(const SceneResult& r) {
-  return fmt::format("{}reference point: s = {} mm, y = {} mm, z = {} mm, inclination {} degrees\n",
-                     r.left ? "left wheel: y, s, Fy, Fs, Mz, eta and phi are counted to the left\n" : "",
-                     fixed_text(r.reference.s, 3), fixed_text(r.reference.position.y, 3),
-                     fixed_text(r.reference.position.z, 3), fixed_text(degrees(r.reference.delta), 2));
+  return fmt::format(
+      "{}reference point: s = {} mm, y = {} mm, z = {} mm, inclination {} degrees\n",
+      r.motion.left ? "left wheel: y, s, Fy, Fs, Mz, eta and phi are counted to the left\n" : "",
+      fixed_text(r.motion.reference.s, 3), fixed_text(r.motion.reference.position.y, 3),
+      fixed_text(r.motion.reference.position.z, 3), fixed_text(degrees(r.motion.reference.delta), 2));
 }
 
 std::string to_text(const SceneResult& r) {
   const ContactResult& c = r.result;
-  const double force = std::max({std::abs(c.Fx), std::abs(c.Fy), std::abs(c.Fz)});
+  const double force = std::max({std::abs(c.totals.Fx), std::abs(c.totals.Fy), std::abs(c.totals.Fz)});
   std::string out = r.track.empty() ? "" : r.track + "\n";
-  out += fmt::format("model: {} ({})\n", name_of(r.model), reason_text(r));
+  out += fmt::format("model: {} ({})\n", name_of(r.choice.model), reason_text(r));
   out += reference_text(r);
   out += r.result.patches.empty() ? "no contact: all forces are zero\n" : patches_text(r, force);
   out += totals_text(r, force);
@@ -198,14 +199,15 @@ std::string to_text(const SceneResult& r) {
   out += structure_text(r.structure);
   out += stresses_text(r.stresses);
   out += certified_text(r);
-  if (!r.result.solver_note.empty())
-    out += fmt::format("solver: {}\n", r.result.solver_note);
+  if (!r.result.trust.solver_note.empty())
+    out += fmt::format("solver: {}\n", r.result.trust.solver_note);
   const PhaseSeconds& spent = r.seconds;
   out += fmt::format("seconds: geometry {:.2f}, influence numbers {:.2f}, solve {:.2f}, certificate {:.2f}, "
                      "error estimate {:.2f}{}{}, total {:.2f}\n",
                      spent.geometry, spent.numbers, spent.solve, spent.check, spent.estimate,
-                     r.free_rolling ? fmt::format(", free rolling {:.2f}", spent.free_rolling) : "",
-                     r.found_lateral ? fmt::format(", search of the displacement {:.2f}", spent.search) : "",
+                     r.motion.free_rolling ? fmt::format(", free rolling {:.2f}", spent.free_rolling) : "",
+                     r.motion.found_lateral ? fmt::format(", search of the displacement {:.2f}", spent.search)
+                                            : "",
                      spent.total);
   return out;
 }

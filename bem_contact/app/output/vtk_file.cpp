@@ -41,7 +41,7 @@ void write(std::ostream& out, const SceneResult& result) {
              "MPa -->\n"
              "<VTKFile type=\"StructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
              "<StructuredGrid WholeExtent=\"{}\">\n<Piece Extent=\"{}\">\n<Points>\n",
-             name_of(result.model), extent, extent);
+             name_of(result.choice.model), extent, extent);
   const std::vector<Point2> edges = row_edges(problem);
   const int columns = grid.mx + 1;
   data_array(out, "points", 3, columns * (grid.ms + 1), [&](int i, int c) {

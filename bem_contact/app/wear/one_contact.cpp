@@ -40,7 +40,7 @@ std::vector<WornContact> worn_contacts(const SceneFile& scene, const wear::Law& 
   if (!scene.wheelset.force) {
     const SceneResult result = Sequence().solve(scene);
     warn(result.warnings);
-    return {worn("", result, 2 * result.result.Fz, law)};
+    return {worn("", result, 2 * result.result.totals.Fz, law)};
   }
   const WheelsetResult both = solve_wheelset(scene);
   warn(both.warnings);

@@ -35,7 +35,7 @@ double rounding(double term, double scale, double elements) {
 }
 
 double approach_of(const ContactProblem& problem, const ContactResult& result) {
-  return problem.load == LoadKind::approach ? problem.approach : result.approach;
+  return problem.load == LoadKind::approach ? problem.approach : result.totals.approach;
 }
 
 /// Elements in contact, which may slip; none without friction.
@@ -225,13 +225,15 @@ Slips slips_of(const ContactProblem& problem, const ContactResult& result, const
   const double pmax = *std::max_element(result.pn.begin(), result.pn.end());
   Slips out{{},
             std::max((steady ? steady_slip_rounding : shift_slip_rounding) * pmax * self,
-                     creepage_rounding * std::hypot(result.creepage_x, result.creepage_s) * step.length),
-            std::hypot(result.creepage_x, result.creepage_s) * step.length};
+                     creepage_rounding * std::hypot(result.totals.creepage_x, result.totals.creepage_s) *
+                         step.length),
+            std::hypot(result.totals.creepage_x, result.totals.creepage_s) * step.length};
   for (const int i : elements) {
     const int is = i / mx;
     const std::size_t at = static_cast<std::size_t>(is) * columns + i % mx;
-    const double rigid_x = (problem.slip_x[i] + result.creepage_x) * step.length;
-    const double rigid_s = (problem.slip_s[i] + result.creepage_s * problem.lateral_share(is)) * step.length;
+    const double rigid_x = (problem.slip_x[i] + result.totals.creepage_x) * step.length;
+    const double rigid_s =
+        (problem.slip_s[i] + result.totals.creepage_s * problem.lateral_share(is)) * step.length;
     const double before_x = before ? (*before)[component_x][at] : 0.0;
     const double before_s = before ? (*before)[component_s][at] : 0.0;
     out.term = std::max({out.term, std::hypot(rigid_x, rigid_s), std::hypot(before_x, before_s)});

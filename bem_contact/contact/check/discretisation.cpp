@@ -68,14 +68,10 @@ Centre centre_of_pressure(const ContactResult& result) {
   return {centre.x / fn, centre.s / fn};
 }
 
-ContactTotals totals(const ContactResult& result) {
-  return {result.Fx, result.Fy, result.Fz, result.Mz, result.approach, result.creepage_x, result.creepage_s};
-}
-
 double largest_approach(const ContactResult& result) {
   double largest = 0;
   for (const PatchSummary& patch : result.patches)
-    largest = std::max(largest, patch.overlap);
+    largest = std::max<double>(largest, patch.overlap);
   return largest;
 }
 
@@ -90,15 +86,17 @@ std::string why_not_compared(const ContactProblem& coarse_problem, const Contact
         "they are estimated from elements twice as large, of which {} are in contact, and {} are "
         "needed. Give smaller elements, so that about {} are in contact",
         contact, least, (line ? 2 : 4) * least);
-  return coarse.certificate.worst() <= companion_violation
+  return coarse.trust.certificate.worst() <= companion_violation
              ? ""
              : "elements twice as large have no certified solution. Give smaller elements";
 }
 
-std::optional<Discretisation> compare(const ContactProblem& problem, const ContactResult& result,
-                                      const ContactProblem& coarse_problem, const ContactResult& coarse) {
-  if (!why_not_compared(coarse_problem, coarse).empty())
-    return std::nullopt;
+void compare(const ContactProblem& problem, const ContactProblem& coarse_problem, const ContactResult& coarse,
+             ContactResult& result) {
+  Trust& trust = result.trust;
+  trust.why_no_errors = why_not_compared(coarse_problem, coarse);
+  if (!trust.why_no_errors.empty())
+    return;
   const Centre centre = centre_of_pressure(result);
   const ForceSums fine = sum_up(problem, result, centre.x, centre.s);
   const ForceSums rough = sum_up(coarse_problem, coarse, centre.x, centre.s);
@@ -107,30 +105,31 @@ std::optional<Discretisation> compare(const ContactProblem& problem, const Conta
   constexpr double second_order = 1.0 / 3.0;
   const auto normal = [&](double Sums::*q) { return second_order * (fine.normal.*q - rough.normal.*q); };
   const auto shear = [&](double Sums::*q) { return second_order * (fine.shear.*q - rough.shear.*q); };
-  Discretisation out;
+  Discretisation& out = trust.discretisation.emplace();
   out.contact = count_elements(coarse).contact;
-  out.coarse = totals(coarse);
-  out.extrapolated = totals(result);
-  out.extrapolated.Fx += shear(&Sums::fx);
-  out.extrapolated.Fy += normal(&Sums::fy) + shear(&Sums::fy);
+  out.coarse = coarse.totals;
+  out.tractions = tractions_of(coarse);
+  out.extrapolated = result.totals;
+  out.extrapolated.Fx.value += shear(&Sums::fx);
+  out.extrapolated.Fy.value += normal(&Sums::fy) + shear(&Sums::fy);
   out.extrapolated.Mz += normal(&Sums::mz) + shear(&Sums::mz);
-  const double approach = second_order * (result.approach - coarse.approach);
+  const double approach = second_order * (result.totals.approach - coarse.totals.approach);
   if (problem.load == LoadKind::force) {
-    out.extrapolated.approach += approach;
+    out.extrapolated.approach.value += approach;
     out.approach = std::abs(approach) / largest_approach(result);
   } else
-    out.extrapolated.Fz += normal(&Sums::fz) + shear(&Sums::fz);
+    out.extrapolated.Fz.value += normal(&Sums::fz) + shear(&Sums::fz);
   out.normal = std::hypot(normal(&Sums::fy), normal(&Sums::fz)) / fine.pressure;
-  out.extrapolated.creepage_x += second_order * (result.creepage_x - coarse.creepage_x);
-  out.extrapolated.creepage_s += second_order * (result.creepage_s - coarse.creepage_s);
+  out.extrapolated.creepage_x.value += second_order * (result.totals.creepage_x - coarse.totals.creepage_x);
+  out.extrapolated.creepage_s.value += second_order * (result.totals.creepage_s - coarse.totals.creepage_s);
   if (problem.has_friction()) {
     out.tangential =
         std::hypot(fine.shear.fx - rough.shear.fx, fine.shear.fs - rough.shear.fs) / fine.friction;
     if (fine.friction_moment > 0)
       out.moment = std::abs(fine.shear.moment - rough.shear.moment) / fine.friction_moment;
   }
-  estimate_errors(problem, result, coarse_problem, coarse, out);
-  return out;
+  estimate_errors(problem, coarse_problem, coarse, result);
+  trust.certificate.discretisation = out.worst();
 }
 
 } // namespace bem_contact::contact

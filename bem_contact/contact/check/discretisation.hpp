@@ -2,7 +2,6 @@
 
 #include "bem_contact/contact/result.hpp"
 
-#include <optional>
 #include <string>
 
 namespace bem_contact::contact {
@@ -12,9 +11,9 @@ namespace bem_contact::contact {
 /// "": it says something.
 std::string why_not_compared(const ContactProblem& coarse_problem, const ContactResult& coarse);
 
-/// Compares a result with that of the same problem on elements twice as large (grid/larger_elements.hpp).
-/// Nothing where why_not_compared() says why.
-std::optional<Discretisation> compare(const ContactProblem& problem, const ContactResult& result,
-                                      const ContactProblem& coarse_problem, const ContactResult& coarse);
+/// Compares a result with that of the same problem on elements twice as large (grid/larger_elements.hpp):
+/// adds its Discretisation and the errors of its numbers, or why_not_compared().
+void compare(const ContactProblem& problem, const ContactProblem& coarse_problem, const ContactResult& coarse,
+             ContactResult& result);
 
 } // namespace bem_contact::contact

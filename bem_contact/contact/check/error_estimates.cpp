@@ -194,22 +194,21 @@ double power_error(const Region& fine, const Region& coarse) {
 }
 
 /// Of what friction does in a patch.
-void estimate_patch_shear(const Region& fine, const Region& coarse, PatchErrors& out) {
-  out.fx = shear_error(fine.fx.total - coarse.fx.total, fine.fx, fine, shear_adhesion_x);
-  out.fs = shear_error(fine.fs.total - coarse.fs.total, fine.fs, fine);
-  out.moment_n =
+void estimate_patch_shear(const Region& fine, const Region& coarse, PatchSummary& out) {
+  out.fx.error = shear_error(fine.fx.total - coarse.fx.total, fine.fx, fine, shear_adhesion_x);
+  out.fs.error = shear_error(fine.fs.total - coarse.fs.total, fine.fs, fine);
+  out.moment_n.error =
       growth(fine, moment_elongation) * (shear_change * std::abs(fine.moment.total - coarse.moment.total) +
                                          moment_share * local_error(fine.moment, fine));
-  out.T_gamma = power_error(fine, coarse);
+  out.T_gamma.error = power_error(fine, coarse);
 }
 
-PatchErrors patch_errors(const Region& fine, const Region& coarse, double roughness) {
-  PatchErrors out;
-  out.pmax = pmax_error(fine, coarse, roughness);
-  out.area = area_error(fine);
-  out.overlap = overlap_change * std::abs(fine.overlap - coarse.overlap) + fine.overlap * local_overlap(fine);
+void estimate_patch(const Region& fine, const Region& coarse, double roughness, PatchSummary& out) {
+  out.pmax.error = pmax_error(fine, coarse, roughness);
+  out.area.error = area_error(fine);
+  out.overlap.error =
+      overlap_change * std::abs(fine.overlap - coarse.overlap) + fine.overlap * local_overlap(fine);
   estimate_patch_shear(fine, coarse, out);
-  return out;
 }
 
 /// Of the normal force of a patch. Where the vertical force is prescribed, so is sum p_n dS + slope Fs but
@@ -231,41 +230,41 @@ double lateral_error(const ContactProblem& problem, double change, const ShearEf
   return shear + direction_local * effects.turned / contact.contact;
 }
 
-/// Of the patches; nan where the coarse result has other ones. `contact`: all patches.
+/// Of the patches; none where the coarse result has other ones. `contact`: all patches.
 void estimate_patches(const ContactProblem& problem, const std::vector<Region>& fine,
                       const std::vector<Region>& coarse, const ShearEffects& effects, const Region& contact,
-                      double roughness, std::vector<PatchErrors>& errors) {
+                      double roughness, std::vector<PatchSummary>& patches) {
   const std::vector<Region> opposite = matched(fine, coarse);
   // Several patches share the force by how stiff they are at their common approach.
   const bool shared = problem.load == LoadKind::approach || fine.size() > 1;
   for (std::size_t i = 0; i < opposite.size(); ++i) {
-    errors[i] = patch_errors(fine[i], opposite[i], roughness);
-    const double fs = problem.force_s && fine.size() == 1 ? 0.0 : errors[i].fs;
-    errors[i].fn = normal_error(fine[i], opposite[i], effects, fs, contact) +
-                   (shared ? local_normal_force(fine[i]) : 0.0);
-    if (errors[i].fn < rounding * fine[i].fn)
-      errors[i].fn = 0; // in the plane it is the prescribed vertical force
+    PatchSummary& patch = patches[i];
+    estimate_patch(fine[i], opposite[i], roughness, patch);
+    const double fs = problem.force_s && fine.size() == 1 ? 0.0 : patch.fs.error;
+    patch.fn.error = normal_error(fine[i], opposite[i], effects, fs, contact) +
+                     (shared ? local_normal_force(fine[i]) : 0.0);
+    if (patch.fn.error < rounding * fine[i].fn)
+      patch.fn.error = 0; // in the plane it is the prescribed vertical force
   }
   if (opposite.size() != 1)
     return;
   if (problem.force_x) // prescribed
-    errors[0].fx = 0;
+    patches[0].fx.error = 0;
   if (problem.force_s)
-    errors[0].fs = 0;
+    patches[0].fs.error = 0;
 }
 
 /// Forces of the patches in the track frame. The one patch of a contact has its totals.
-void estimate_track_forces(const ContactResult& result, Discretisation& out) {
-  if (out.patches.size() == 1) {
-    out.patches[0].fy = out.errors.Fy;
-    out.patches[0].fz = out.errors.Fz;
+void estimate_track_forces(ContactResult& result) {
+  if (result.patches.size() == 1) {
+    result.patches[0].fy.error = result.totals.Fy.error;
+    result.patches[0].fz.error = result.totals.Fz.error;
     return;
   }
-  for (std::size_t i = 0; i < out.patches.size(); ++i) {
-    PatchErrors& e = out.patches[i];
-    const double cosine = std::cos(result.patches[i].delta), sine = std::sin(result.patches[i].delta);
-    e.fy = std::hypot(e.fn * sine, e.fs * cosine);
-    e.fz = std::hypot(e.fn * cosine, e.fs * sine);
+  for (PatchSummary& patch : result.patches) {
+    const double cosine = std::cos(patch.delta), sine = std::sin(patch.delta);
+    patch.fy.error = std::hypot(patch.fn.error * sine, patch.fs.error * cosine);
+    patch.fz.error = std::hypot(patch.fn.error * cosine, patch.fs.error * sine);
   }
 }
 
@@ -303,7 +302,7 @@ double turn_of_slip(const ContactProblem& problem, const ContactResult& result) 
 /// creepage by so much times the compliance, which grows without bound towards full slip.
 void estimate_creepages(const ContactProblem& problem, const ContactResult& result,
                         const ContactGrid& coarse_grid, const ContactResult& coarse, const Region& fine,
-                        TotalErrors& e) {
+                        ContactTotals& totals) {
   const LargerElements larger(problem.grid, result.pn);
   const auto error = [&](double change, double compliance, double moved, double adhering) {
     if (!std::isfinite(compliance))
@@ -312,26 +311,29 @@ void estimate_creepages(const ContactProblem& problem, const ContactResult& resu
            std::abs(compliance) * (creepage_moved * moved + creepage_adhesion * adhering);
   };
   if (problem.force_x)
-    e.creepage_x = error(result.creepage_x - coarse.creepage_x, result.compliance_x,
-                         moved_force(larger, result.px, coarse.px, coarse_grid), fine.fx.adhering_alike);
+    totals.creepage_x.error =
+        error(result.totals.creepage_x - coarse.totals.creepage_x, result.totals.compliance_x,
+              moved_force(larger, result.px, coarse.px, coarse_grid), fine.fx.adhering_alike);
   if (problem.force_s) // spin's tractions cancel in the sum, and not in what the elements are off by
-    e.creepage_s = creepage_s_share * error(result.creepage_s - coarse.creepage_s, result.compliance_s,
-                                            moved_force(larger, result.ps, coarse.ps, coarse_grid),
-                                            std::sqrt(fine.fs.adhering)) +
-                   creepage_turn * turn_of_slip(problem, result);
+    totals.creepage_s.error = creepage_s_share * error(result.totals.creepage_s - coarse.totals.creepage_s,
+                                                       result.totals.compliance_s,
+                                                       moved_force(larger, result.ps, coarse.ps, coarse_grid),
+                                                       std::sqrt(fine.fs.adhering)) +
+                              creepage_turn * turn_of_slip(problem, result);
 }
 
 /// Sets what needs friction, but for creepages: shear forces, adhesion, power.
 void estimate_shear(const ContactProblem& problem, const ContactResult& result, const ContactResult& coarse,
-                    const std::pair<Region, Region>& regions, TotalErrors& e) {
+                    const std::pair<Region, Region>& regions, ContactTotals& totals) {
   const auto& [fine, rough] = regions;
-  e.Fx = problem.force_x ? 0 : shear_error(result.Fx - coarse.Fx, fine.fx, fine, shear_adhesion_x);
-  e.Fs = problem.force_s ? 0 : shear_error(result.Fs - coarse.Fs, fine.fs, fine);
-  e.adhesion_share = adhesion_change * std::abs(fine.adhesion_share() - rough.adhesion_share()) +
-                     (fine.line ? line_adhesion : 1.0) *
-                         (adhesion_local + adhesion_border * std::sqrt(double(fine.adhesion_border))) /
-                         fine.contact;
-  e.T_gamma = power_error(fine, rough);
+  totals.Fx.error =
+      problem.force_x ? 0 : shear_error(result.totals.Fx - coarse.totals.Fx, fine.fx, fine, shear_adhesion_x);
+  totals.Fs.error = problem.force_s ? 0 : shear_error(result.totals.Fs - coarse.totals.Fs, fine.fs, fine);
+  totals.adhesion_share.error =
+      adhesion_change * std::abs(fine.adhesion_share() - rough.adhesion_share()) +
+      (fine.line ? line_adhesion : 1.0) *
+          (adhesion_local + adhesion_border * std::sqrt(double(fine.adhesion_border))) / fine.contact;
+  totals.T_gamma.error = power_error(fine, rough);
 }
 
 /// Of the highest temperature of a surface, degrees C. `bulk`: what it has before the contact.
@@ -354,53 +356,55 @@ double creepage_x_error(const ContactProblem& problem, const ContactResult& resu
                rough = contact_of(coarse_problem, coarse, patches_of(coarse_problem, coarse));
   if (rough.contact < least_companion || !converges(fine, rough, roughness_of_gap(problem, result)))
     return unknown_error;
-  TotalErrors e;
-  estimate_creepages(problem, result, coarse_problem.grid, coarse, fine, e);
-  return e.creepage_x;
+  ContactTotals totals;
+  estimate_creepages(problem, result, coarse_problem.grid, coarse, fine, totals);
+  return totals.creepage_x.error;
 }
 
-void estimate_errors(const ContactProblem& problem, const ContactResult& result,
-                     const ContactProblem& coarse_problem, const ContactResult& coarse, Discretisation& out) {
+void estimate_errors(const ContactProblem& problem, const ContactProblem& coarse_problem,
+                     const ContactResult& coarse, ContactResult& result) {
   const std::vector<Region> patches = patches_of(problem, result),
                             rough_patches = patches_of(coarse_problem, coarse);
   const std::pair<Region, Region> regions{contact_of(problem, result, patches),
                                           contact_of(coarse_problem, coarse, rough_patches)};
   const auto& [fine, rough] = regions;
-  out.coarse_pmax = rough.pmax;
   const double roughness = roughness_of_gap(problem, result);
-  out.converges = converges(fine, rough, roughness);
-  out.rough = is_rough(fine, roughness);
-  out.patches.resize(patches.size());
-  if (!out.converges)
+  Discretisation& estimate = *result.trust.discretisation;
+  estimate.converges = converges(fine, rough, roughness);
+  estimate.rough = is_rough(fine, roughness);
+  if (!estimate.converges)
     return;
-  TotalErrors& e = out.errors;
-  e.area = area_error(fine);
-  e.pmax = pmax_error(fine, rough, roughness);
-  e.Fx = e.Fs = e.adhesion_share = e.T_gamma = e.creepage_x = e.creepage_s = 0;
+  ContactTotals& totals = result.totals;
+  totals.area.error = area_error(fine);
+  totals.pmax.error = pmax_error(fine, rough, roughness);
+  for (Measured* number : {&totals.Fx, &totals.Fs, &totals.adhesion_share, &totals.T_gamma,
+                           &totals.creepage_x, &totals.creepage_s})
+    number->error = 0;
   if (problem.has_friction()) {
-    estimate_shear(problem, result, coarse, regions, e);
-    estimate_creepages(problem, result, coarse_problem.grid, coarse, fine, e);
+    estimate_shear(problem, result, coarse, regions, totals);
+    estimate_creepages(problem, result, coarse_problem.grid, coarse, fine, totals);
   }
   if (result.temperatures && coarse.temperatures) {
     const auto error = [&](std::vector<double> SurfaceTemperatures::*surface, const ThermalBody& body) {
       return temperature_error(problem.grid, (*result.temperatures).*surface, (*coarse.temperatures).*surface,
                                body.temperature, fine.contact);
     };
-    e.highest_rail_temperature = error(&SurfaceTemperatures::rail, problem.heating->rail);
-    e.highest_wheel_temperature = error(&SurfaceTemperatures::wheel, problem.heating->wheel);
+    totals.Tmax_rail.error = error(&SurfaceTemperatures::rail, problem.heating->rail);
+    totals.Tmax_wheel.error = error(&SurfaceTemperatures::wheel, problem.heating->wheel);
   }
   const bool force = problem.load == LoadKind::force;
-  e.approach = force ? approach_change * std::abs(result.approach - coarse.approach) +
-                           fine.overlap * local_approach(fine)
-                     : 0;
+  totals.approach.error = force ? approach_change * std::abs(totals.approach - coarse.totals.approach) +
+                                      fine.overlap * local_approach(fine)
+                                : 0;
   const ShearEffects effects = effects_of_shear(problem, result);
-  e.Fy = lateral_error(problem, result.Fy - coarse.Fy, effects, fine);
-  e.Fz = force ? 0 : shear_error(result.Fz - coarse.Fz, effects.fz, fine) + local_normal_force(fine);
+  totals.Fy.error = lateral_error(problem, totals.Fy - coarse.totals.Fy, effects, fine);
+  totals.Fz.error =
+      force ? 0 : shear_error(totals.Fz - coarse.totals.Fz, effects.fz, fine) + local_normal_force(fine);
   const double moment = growth(fine, moment_elongation) * moment_share;
-  out.moment_change = moment * shear_change;
-  out.local_moment = moment * local_error(fine.moment, fine);
-  estimate_patches(problem, patches, rough_patches, effects, fine, roughness, out.patches);
-  estimate_track_forces(result, out);
+  estimate.moment_change = moment * shear_change;
+  estimate.local_moment = moment * local_error(fine.moment, fine);
+  estimate_patches(problem, patches, rough_patches, effects, fine, roughness, result.patches);
+  estimate_track_forces(result);
 }
 
 } // namespace bem_contact::contact

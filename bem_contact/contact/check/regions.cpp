@@ -38,8 +38,8 @@ struct Field {
 /// What the rigid motion of the bodies does through shear on element i, per area: p_t w. `lateral_share`:
 /// ContactProblem::lateral_share() of its row.
 double shear_drive(const ContactProblem& problem, const ContactResult& result, int i, double lateral_share) {
-  const double along_x = problem.slip_x[i] + result.creepage_x;
-  const double along_s = problem.slip_s[i] + result.creepage_s * lateral_share;
+  const double along_x = problem.slip_x[i] + result.totals.creepage_x;
+  const double along_s = problem.slip_s[i] + result.totals.creepage_s * lateral_share;
   return result.px[i] * along_x + result.ps[i] * along_s;
 }
 
@@ -70,7 +70,7 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
   fs.reserve(elements.size());
   std::vector<int> in_row(problem.grid.ms, 0);
   const std::vector<double> approach =
-      of_rows(problem, [&](int row) { return result.approach * std::cos(problem.rows[row].delta); });
+      of_rows(problem, [&](int row) { return result.totals.approach * std::cos(problem.rows[row].delta); });
   for (const int i : elements) {
     const int ix = i % problem.grid.mx, is = i / problem.grid.mx;
     const double fn = result.pn[i] * dS;

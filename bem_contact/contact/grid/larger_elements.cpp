@@ -300,7 +300,7 @@ InfluenceNumbers LargerElements::numbers(const InfluenceNumbers& fine, bool only
 std::string why_no_companion(const ContactProblem& problem, const ContactResult& result) {
   if (result.patches.empty())
     return "there is no contact";
-  if (result.touches_border)
+  if (result.trust.touches_border)
     return "the contact reaches the edge of the grid. Give a larger grid";
   if (problem.grid.size() == 1)
     return "the grid is one element. Give smaller elements";
@@ -309,7 +309,7 @@ std::string why_no_companion(const ContactProblem& problem, const ContactResult&
 
 Companion companion_of(const ContactProblem& problem, const ContactResult& result,
                        const LargerElements& larger) {
-  double far = std::abs(result.approach);
+  double far = std::abs(result.totals.approach);
   for (int i = 0; i < problem.grid.size(); ++i)
     if (result.pn[i] > 0)
       far = std::max(far, std::abs(problem.gap[i]));
@@ -329,7 +329,7 @@ Companion companion_of(const ContactProblem& problem, const ContactResult& resul
           {larger.at_centres(former.px), larger.at_centres(former.ps), larger.at_centres(former.pn)});
   }
   StartingPoint start{{larger.mean(result.px), larger.mean(result.ps), larger.mean(result.pn)},
-                      result.approach};
+                      result.totals.approach};
   return Companion{std::move(coarse), std::move(start)};
 }
 

@@ -21,15 +21,15 @@ void add_moments(const ContactProblem& problem, const ContactResult& result, con
     const Point2 arm = row.position - patch.position;
     const double fx = result.px[i] * area;
     const Point2 f = area * (result.ps[i] * tangent_of(row.delta) + result.pn[i] * normal_of(row.delta));
-    patch.fy += f.y;
-    patch.fz += f.z;
+    patch.fy.value += f.y;
+    patch.fz.value += f.z;
     patch.moment_x += cross(arm, f);
     about_y += arm.z * fx - x * f.z;
     about_z += x * f.y - arm.y * fx;
   }
   const Point2 about{about_y, about_z};
   patch.moment_s = dot(about, tangent_of(patch.delta));
-  patch.moment_n = dot(about, normal_of(patch.delta));
+  patch.moment_n.value = dot(about, normal_of(patch.delta));
 }
 
 /// Second moments of the pressure about its centre, over its sum, mm^2.
@@ -75,17 +75,18 @@ PatchSummary summarise(const ContactProblem& problem, const ContactResult& resul
   const int mx = problem.grid.mx;
   const double area = problem.element_area();
   PatchSummary patch;
-  patch.overlap = -std::numeric_limits<double>::infinity();
+  patch.overlap.value = -std::numeric_limits<double>::infinity();
   for (const int i : elements) {
     const ContactRow& row = problem.rows[i / mx];
     const double p = result.pn[i];
-    patch.fn += p * area;
-    patch.fx += result.px[i] * area;
-    patch.fs += result.ps[i] * area;
-    patch.T_gamma += power[i] * area;
-    patch.overlap = std::max(patch.overlap, result.approach * std::cos(row.delta) - problem.gap[i]);
-    patch.pmax = std::max(patch.pmax, p);
-    patch.area += area;
+    patch.fn.value += p * area;
+    patch.fx.value += result.px[i] * area;
+    patch.fs.value += result.ps[i] * area;
+    patch.T_gamma.value += power[i] * area;
+    patch.overlap.value =
+        std::max(patch.overlap.value, result.totals.approach * std::cos(row.delta) - problem.gap[i]);
+    patch.pmax.value = std::max(patch.pmax.value, p);
+    patch.area.value += area;
     ++patch.contact;
     ++(result.state[i] == ElementState::adhesion ? patch.adhesion : patch.slip);
     patch.x += p * area * problem.grid.x(i % mx);

@@ -243,12 +243,12 @@ double LateralSearch::find(const LateralForce& force) {
 LateralPosition LateralSearch::describe(double found, double error) {
   const LateralSpread spread =
       lateral_spread([&](double at) { return curve_.rough(at); }, found, error, question_.resultant);
-  LateralPosition out{.lateral = found, .slope = spread.slope, .error = spread.error, .others = {}};
+  LateralPosition out{.lateral = {found, spread.error}, .slope = spread.slope, .others = {}};
   const std::optional<double> slope =
       curve_.slope_beside({found, question_.wanted}, lateral::uneven * question_.resultant);
   if (slope && !(spread.error >= lateral::unsure)) {
     out.slope = *slope;
-    out.error = error / std::abs(*slope);
+    out.lateral.error = error / std::abs(*slope);
   }
   const double known = std::isnan(error) ? 0 : 1;
   const double from = found - std::max(known * spread.low, double(lateral::unsure)),

@@ -177,8 +177,8 @@ int ElementSize::counted(const ContactCase& asked, const ContactGrid& grid, int 
 }
 
 bool ElementSize::learn(const ContactCase& asked, const SceneResult& out) {
-  const bool known = out.result.converged || out.result.ended_early;
-  return known && learn(asked, out.problem, out.result, !is_closed_form(out.model));
+  const bool known = out.result.certified() || out.result.trust.ended_early;
+  return known && learn(asked, out.problem, out.result, !is_closed_form(out.choice.model));
 }
 
 bool ElementSize::asks_for_more(const ContactCase& asked, const ContactProblem& problem,
@@ -196,7 +196,7 @@ bool ElementSize::learn(const ContactCase& asked, const ContactProblem& problem,
   if (asked.estimate->approach > 0)
     area_ratio_ = learn_area_ && area > 0 ? contact * solved.dx * solved.ds / area : 1.0;
   if (!open_size(asked.scene.grid) || !by_elements ||
-      !count_->learn(counted(asked, solved, contact), asked_error(asked.scene.grid, problem, result)))
+      !count_->learn(counted(asked, solved, contact), asked_error(asked.scene.grid, result)))
     return false;
   const SceneFile::Grid next = grid(asked);
   return next.dx != solved.dx || next.ds != solved.ds;

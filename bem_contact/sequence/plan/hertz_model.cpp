@@ -1,6 +1,7 @@
 #include "bem_contact/sequence/plan/hertz_model.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/totals.hpp"
 #include "bem_contact/geometry/undeformed_distance.hpp"
 
 #include <Eigen/QR>
@@ -129,9 +130,9 @@ ContactResult without_contact(const ContactProblem& problem) {
     field->assign(n, 0.0);
   result.deformed_distance = problem.gap;
   result.state.assign(n, ElementState::exterior);
-  result.normal_solver = "Hertz";
-  result.tangential_solver = "none";
-  result.certificate.discretisation = 0;
+  result.effort.normal_solver = "Hertz";
+  result.effort.tangential_solver = "none";
+  result.trust.certificate.discretisation = 0;
   return result;
 }
 
@@ -150,24 +151,26 @@ void add_axes(const HertzModel& model, PatchSummary& patch) {
 void add_totals(const ContactProblem& problem, const HertzModel& model, int inside, ContactResult& result) {
   const reference::HertzContact& c = model.contact;
   const double area = std::numbers::pi * c.semi_axis_x * c.semi_axis_s;
-  result.certificate.force_balance = std::abs(2.0 / 3 * area * c.max_pressure / c.force - 1);
-  result.Fy = 0.0 - c.force * std::sin(model.delta);
-  result.Fz = c.force * std::cos(model.delta);
-  result.Mz = model.x * result.Fy;
+  result.trust.certificate.force_balance = std::abs(2.0 / 3 * area * c.max_pressure / c.force - 1);
+  ContactTotals& totals = result.totals;
+  totals.Fy = {0.0 - c.force * std::sin(model.delta)};
+  totals.Fz = {c.force * std::cos(model.delta)};
+  totals.Mz = model.x * totals.Fy;
   PatchSummary patch;
-  patch.fn = c.force;
-  patch.overlap = c.approach;
-  patch.pmax = c.max_pressure;
-  patch.area = area;
+  patch.fn = {c.force};
+  patch.overlap = {c.approach};
+  patch.pmax = {c.max_pressure};
+  patch.area = {area};
   patch.contact = patch.slip = inside;
   patch.x = model.x;
   patch.s = model.s;
   patch.position = row_at(problem, model.s).position;
   patch.delta = model.delta;
-  patch.fy = result.Fy;
-  patch.fz = result.Fz;
+  patch.fy = totals.Fy;
+  patch.fz = totals.Fz;
   add_axes(model, patch);
   result.patches = {patch};
+  set_totals_of_patches(result);
 }
 
 } // namespace
@@ -214,15 +217,16 @@ ContactResult solve_hertz(const ContactProblem& problem, const HertzModel& model
   ContactResult result = without_contact(problem);
   result.displacements.un.assign(grid.size(), 0.0);
   const double cosine = std::cos(model.delta);
-  result.approach = problem.load == LoadKind::approach ? problem.approach
-                    : c.force > 0                      ? (c.approach + model.least) / cosine
-                                                       : 0.0;
+  const double approach = problem.load == LoadKind::approach ? problem.approach
+                          : c.force > 0                      ? (c.approach + model.least) / cosine
+                                                             : 0.0;
+  result.totals.approach = {approach};
   int inside = 0;
   for (int i = 0; i < grid.size(); ++i) {
     const ContactRow& row = problem.rows[i / grid.mx];
     const auto [x, s] = model.local(grid.x(i % grid.mx), row.s);
     const double compression = c.force > 0 ? reference::hertz_compression(c, model.modulus, x, s) : 0.0;
-    result.deformed_distance[i] += compression - result.approach * std::cos(row.delta);
+    result.deformed_distance[i] += compression - approach * std::cos(row.delta);
     result.displacements.un[i] = -compression;
     if (!(c.force > 0))
       continue;
@@ -234,13 +238,12 @@ ContactResult solve_hertz(const ContactProblem& problem, const HertzModel& model
     if (std::hypot(x / c.semi_axis_x, s / c.semi_axis_s) > 1)
       continue;
     const double exact = c.approach - model.curvature_x * x * x - model.curvature_s * s * s;
-    result.certificate.penetration =
-        std::max(result.certificate.penetration, std::abs(compression - exact) / c.approach);
+    result.trust.certificate.penetration =
+        std::max(result.trust.certificate.penetration, std::abs(compression - exact) / c.approach);
   }
   if (c.force > 0)
     add_totals(problem, model, inside, result);
-  result.converged = result.certificate.holds();
-  result.why_no_errors = "Hertz's closed form has no elements";
+  result.trust.why_no_errors = "Hertz's closed form has no elements";
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/sequence/plan/model_errors.hpp"
+#include "bem_contact/sequence/scene_result.hpp"
 
 #include <optional>
 #include <string>
@@ -19,14 +20,8 @@ struct ModelRequest {
 };
 ModelRequest request_of(const ContactCase& asked);
 
-/// The cheapest model that is predicted to be within the tolerance, and why: two short sentences at most.
-struct ModelChoice {
-  Model model;
-  std::string why_this_model;
-  bool enough = true; ///< false: fem would be needed, and it cannot be taken
-};
-
-/// Chooses among the models with influence numbers.
+/// Chooses the cheapest model that is predicted to be within the tolerance, among the models with influence
+/// numbers.
 ModelChoice choose_model(const ContactTraits& traits, const ModelRequest& request);
 /// Chooses a closed form where one fits the problem and is within the tolerance, else another model.
 ModelChoice choose_model(const ContactSetup& setup, const ContactProblem& problem,

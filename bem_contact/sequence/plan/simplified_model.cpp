@@ -150,9 +150,9 @@ ContactResult empty_result(const ContactProblem& problem) {
     field->assign(problem.grid.size(), 0.0);
   result.deformed_distance = problem.gap;
   result.state.assign(problem.grid.size(), ElementState::exterior);
-  result.normal_solver = "Hertz by patch";
-  result.tangential_solver = "simplified theory";
-  result.why_no_errors = "what the simplified theory misses is not a matter of elements";
+  result.effort.normal_solver = "Hertz by patch";
+  result.effort.tangential_solver = "simplified theory";
+  result.trust.why_no_errors = "what the simplified theory misses is not a matter of elements";
   return result;
 }
 
@@ -167,8 +167,8 @@ ContactResult solved_with(const ContactProblem& problem, const std::vector<Simpl
                           const std::vector<std::vector<int>>& elements,
                           const std::vector<LoadedPatch>& loaded, double creepage_x, double creepage_s) {
   ContactResult result = empty_result(problem);
-  result.creepage_x = creepage_x;
-  result.creepage_s = creepage_s;
+  result.totals.creepage_x = {creepage_x};
+  result.totals.creepage_s = {creepage_s};
   for (std::size_t k = 0; k < patches.size(); ++k) {
     PatchCreepage creepage = loaded[k].creepage;
     creepage.xi += creepage_x;
@@ -195,8 +195,8 @@ ContactResult solved_for_forces(const ContactProblem& problem, const std::vector
   double x = 0, s = 0;
   ContactResult at = rolled(x, s);
   const auto missing = [&](const ContactResult& r) {
-    return std::pair(problem.force_x ? *problem.force_x - r.Fx : 0.0,
-                     problem.force_s ? *problem.force_s - r.Fs : 0.0);
+    return std::pair(problem.force_x ? *problem.force_x - r.totals.Fx : 0.0,
+                     problem.force_s ? *problem.force_s - r.totals.Fs : 0.0);
   };
   const auto size_of = [](const std::pair<double, double>& miss) {
     return std::hypot(miss.first, miss.second);
@@ -204,10 +204,10 @@ ContactResult solved_for_forces(const ContactProblem& problem, const std::vector
   for (int step = 0; step < most_force_steps && size_of(missing(at)) > force_precision * capacity; ++step) {
     const double by = 1e-8;
     const ContactResult along = rolled(x + by, s), across = rolled(x, s + by);
-    const double xx = problem.force_x ? (along.Fx - at.Fx) / by : 1,
-                 xs = problem.force_x ? (across.Fx - at.Fx) / by : 0,
-                 sx = problem.force_s ? (along.Fs - at.Fs) / by : 0,
-                 ss = problem.force_s ? (across.Fs - at.Fs) / by : 1;
+    const double xx = problem.force_x ? (along.totals.Fx - at.totals.Fx) / by : 1,
+                 xs = problem.force_x ? (across.totals.Fx - at.totals.Fx) / by : 0,
+                 sx = problem.force_s ? (along.totals.Fs - at.totals.Fs) / by : 0,
+                 ss = problem.force_s ? (across.totals.Fs - at.totals.Fs) / by : 1;
     const auto [mx, ms] = missing(at);
     const double determinant = xx * ss - xs * sx;
     double share = 1;
@@ -222,7 +222,7 @@ ContactResult solved_for_forces(const ContactProblem& problem, const std::vector
     if (!(share > 1e-6))
       break;
     at = std::move(next);
-    x = at.creepage_x, s = at.creepage_s;
+    x = at.totals.creepage_x, s = at.totals.creepage_s;
   }
   if (size_of(missing(at)) > 1e-6 * capacity)
     throw InputError("No creepage gives the prescribed shear forces",
@@ -303,27 +303,28 @@ ContactResult solve_simplified(const ContactSetup& setup, const ContactProblem& 
   for (std::size_t k = 0; k < patches.size(); ++k)
     require_elements(patches[k], elements[k]);
   ContactResult result = solved_for_forces(problem, patches, elements);
-  for (int step = 0; problem.load == LoadKind::force && result.Fz > 0 && step < most_force_steps &&
-                     std::abs(result.Fz / problem.force - 1) > force_precision;
+  for (int step = 0; problem.load == LoadKind::force && result.totals.Fz > 0 && step < most_force_steps &&
+                     std::abs(result.totals.Fz / problem.force - 1) > force_precision;
        ++step) { // on a flange shear bears a part
     for (SimplifiedPatch& patch : patches)
-      patch.normal *= problem.force / result.Fz;
+      patch.normal *= problem.force / result.totals.Fz;
     result = solved_for_forces(problem, patches, elements);
   }
-  result.approach = problem.load == LoadKind::approach ? problem.approach : 0.0;
+  result.totals.approach = {problem.load == LoadKind::approach ? problem.approach : 0.0};
   if (problem.load == LoadKind::force && !patches.empty())
-    result.approach =
-        (patches.front().approach + *std::ranges::min_element(problem.gap)) / std::cos(patches.front().delta);
+    result.totals.approach = {(patches.front().approach + *std::ranges::min_element(problem.gap)) /
+                              std::cos(patches.front().delta)};
   for (int i = 0; i < problem.grid.size(); ++i) {
-    const double apart = problem.gap[i] - result.approach * std::cos(problem.rows[i / problem.grid.mx].delta);
+    const double apart =
+        problem.gap[i] - result.totals.approach * std::cos(problem.rows[i / problem.grid.mx].delta);
     result.deformed_distance[i] = result.pn[i] > 0 ? 0.0 : std::max(apart, 0.0);
   }
   result.displacements.un.assign(problem.grid.size(), 0.0);
   set_totals(problem, result); // the overlap of patches is that of this approach
-  result.certificate.discretisation = 0;
+  result.trust.certificate.discretisation = 0;
   if (problem.load == LoadKind::force)
-    result.certificate.force_balance = problem.force > 0 ? std::abs(result.Fz / problem.force - 1) : 0.0;
-  result.converged = result.certificate.holds();
+    result.trust.certificate.force_balance =
+        problem.force > 0 ? std::abs(result.totals.Fz / problem.force - 1) : 0.0;
   return result;
 }
 

@@ -17,14 +17,15 @@ bool has_free_rolling(const ContactCase& asked) {
 
 /// Of a solution without longitudinal force.
 FreeRolling free_rolling_of(const SceneResult& solved) {
-  const auto& estimate = solved.result.discretisation;
-  return {solved.xi, solved.rolling_radius / (1 - solved.xi),
-          estimate ? estimate->errors.creepage_x : unknown_error, solved.contact_radius};
+  const SceneMotion& motion = solved.motion;
+  return {{motion.xi, solved.result.totals.creepage_x.error},
+          motion.rolling_radius / (1 - motion.xi),
+          motion.contact_radius};
 }
 
 /// The same with the creepage counted as that of `result` is: placed bodies may have another rolling radius.
 FreeRolling counted_as(const SceneResult& result, FreeRolling free) {
-  free.xi = 1 - result.rolling_radius / free.rolling_radius;
+  free.xi.value = 1 - result.motion.rolling_radius / free.rolling_radius;
   return free;
 }
 
@@ -35,7 +36,7 @@ std::optional<FreeRolling> find_free_rolling(ContactCase asked, const SceneFile:
   resources.early_end = nullptr;
   asked.scene.stresses.depths.clear();
   SceneResult solved = solve_case(asked, grid, resources);
-  if (!solved.result.converged || solved.result.patches.empty())
+  if (!solved.result.certified() || solved.result.patches.empty())
     return std::nullopt;
   const FreeRolling out = free_rolling_of(solved);
   if (solution)
@@ -57,13 +58,13 @@ SceneResult solve_from_free_rolling(const ContactCase& asked, const SceneFile::G
         "no certified solution without longitudinal force came out",
         "Count the creepage from motion.rolling_radius (motion.from_free_rolling = false).");
   counted = beyond_free_rolling(std::move(counted), *found, asked.setup.motion.creepage.xi);
-  counted.scene.solver.model = free.model;
+  counted.scene.solver.model = free.choice.model;
   const std::optional<FormerSolution> start =
-      former_of(free.model, free.problem, free.result, *asked.estimate);
+      former_of(free.choice.model, free.problem, free.result, *asked.estimate);
   resources.start = start ? &*start : resources.start;
   SceneResult out = solve_case(counted, grid, resources);
   take_choice(free, out);
-  out.free_rolling = counted_as(out, *found);
+  out.motion.free_rolling = counted_as(out, *found);
   out.seconds.free_rolling = seconds;
   return out;
 }
@@ -89,24 +90,26 @@ SceneResult solve_with_free_rolling(const ContactCase& asked, const SceneFile::G
   SolveResources tools = resources;
   tools.free_rolling = true;
   SceneResult out = solve_case(asked, grid, tools);
-  if (out.free_rolling || is_closed_form(out.model) || !out.result.converged || out.result.patches.empty())
+  if (out.motion.free_rolling || is_closed_form(out.choice.model) || !out.result.certified() ||
+      out.result.patches.empty())
     return out;
   if (resources.early_end && resources.early_end->ends(out.problem, out.result)) // on smaller elements then
     return out;
   if (asked.setup.motion.force_x == 0.0) {
-    out.free_rolling = free_rolling_of(out);
+    out.motion.free_rolling = free_rolling_of(out);
     return out;
   }
   const Stopwatch finding;
   ContactCase free = asked;
-  free.scene.solver.model = out.model;
+  free.scene.solver.model = out.choice.model;
   if (!asked.scene.motion.pitch_rate) // a wheel that hardly turns has no spin, and near free rolling it has
     free.setup.motion.creepage.xi = 0;
-  const std::optional<FormerSolution> start = former_of(out.model, out.problem, out.result, *asked.estimate);
+  const std::optional<FormerSolution> start =
+      former_of(out.choice.model, out.problem, out.result, *asked.estimate);
   WorkBudget work = resources.work.another(); // it must not end the case that is asked for
   try {
     if (const auto found = find_free_rolling(free, grid, resources.with(work, start ? &*start : nullptr)))
-      out.free_rolling = counted_as(out, *found);
+      out.motion.free_rolling = counted_as(out, *found);
   } catch (const ConvergenceError&) { // free rolling is not what was asked for
   }
   out.seconds.free_rolling += finding.seconds();

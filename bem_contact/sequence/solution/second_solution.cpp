@@ -65,7 +65,8 @@ std::optional<double> force_of_sliding(const ContactProblem& problem, const Cont
 /// mm/s. The faster it slides, the less it carries; beyond the rolling speed nothing is looked for.
 std::optional<double> velocity_of_sliding(const ContactProblem& problem, const ContactResult& result) {
   const double wanted = std::hypot(problem.force_x.value_or(0), problem.force_s.value_or(0));
-  double low = problem.speed * std::hypot(result.creepage_x, result.creepage_s), high = problem.speed;
+  double low = problem.speed * std::hypot(result.totals.creepage_x, result.totals.creepage_s),
+         high = problem.speed;
   bool settled = true;
   const auto carries = [&](double velocity) {
     const std::optional<double> force = force_of_sliding(problem, result, velocity);
@@ -89,14 +90,15 @@ std::string larger_creepage(const ContactProblem& problem, const ContactResult& 
                      "({:.3g} along x, {:.3g} along s); sliding as a whole at some {:.3g} (slip velocity "
                      "{:.3g} mm/s) carries it "
                      "too. Give a creepage (motion.xi, eta) to choose.",
-                     problem.friction_falls() ? "the slip velocity" : "temperature", result.creepage_x,
-                     result.creepage_s, *velocity / problem.speed, *velocity);
+                     problem.friction_falls() ? "the slip velocity" : "temperature",
+                     result.totals.creepage_x.value, result.totals.creepage_s.value,
+                     *velocity / problem.speed, *velocity);
 }
 
 std::string forces_text(const ContactResult& result) {
   const ElementCounts count = count_elements(result);
-  return fmt::format("Fx {:.1f} N, Fs {:.1f} N, {} of {} elements in adhesion", result.Fx, result.Fs,
-                     count.adhesion, count.contact);
+  return fmt::format("Fx {:.1f} N, Fs {:.1f} N, {} of {} elements in adhesion", result.totals.Fx.value,
+                     result.totals.Fs.value, count.adhesion, count.contact);
 }
 
 } // namespace
@@ -104,7 +106,7 @@ std::string forces_text(const ContactResult& result) {
 std::string second_solution(const ContactProblem& problem, const ContactResult& result, SolverOptions options,
                             WorkBudget& work) {
   if (!problem.has_friction() || !problem.friction_varies() || problem.motion != MotionKind::steady ||
-      !result.converged)
+      !result.certified())
     return "";
   if (problem.force_x || problem.force_s)
     return larger_creepage(problem, result);
@@ -113,8 +115,8 @@ std::string second_solution(const ContactProblem& problem, const ContactResult& 
   options.early_end = nullptr;
   try {
     const ContactResult other = solve(problem, options, work);
-    const double change = std::hypot(other.Fx - result.Fx, other.Fs - result.Fs);
-    if (!other.converged || change <= least_branch_difference * friction_bound(problem, result))
+    const double change = std::hypot(other.totals.Fx - result.totals.Fx, other.totals.Fs - result.totals.Fs);
+    if (!other.certified() || change <= least_branch_difference * friction_bound(problem, result))
       return "";
     return fmt::format(
         "friction falls so steeply that this contact has two solutions: taken is the one that comes "

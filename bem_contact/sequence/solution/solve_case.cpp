@@ -31,8 +31,8 @@ constexpr double poor_discretisation = 0.2;
 double highest_pressure(const GridSolution& solved) {
   double highest = 0;
   const auto look = [&](const ContactResult& result) {
-    if (result.converged)
-      highest = std::max(highest, largest_pressure(result));
+    if (result.certified())
+      highest = std::max(highest, result.totals.pmax.value);
   };
   look(solved.result);
   std::ranges::for_each(solved.history, look);
@@ -40,7 +40,7 @@ double highest_pressure(const GridSolution& solved) {
 }
 
 void warn_of_discretisation(const ContactResult& result, std::vector<std::string>& warnings) {
-  const double error = result.certificate.discretisation;
+  const double error = result.trust.certificate.discretisation;
   if (error > poor_discretisation)
     warnings.push_back(fmt::format(
         "the elements are too large for this contact: the estimated discretisation error is {:.0f} %",
@@ -62,9 +62,10 @@ void warn_of_slide(const ContactCase& asked, GridSolution& solved) {
 }
 
 void add_stresses(const SceneFile& scene, SceneResult& out) {
-  if (scene.stresses.depths.empty() || !out.result.converged)
+  if (scene.stresses.depths.empty() || !out.result.certified())
     return;
-  out.stresses = stresses_below(scene.stresses, out.problem, out.result, out.rail_poisson, out.reference.s);
+  out.stresses = stresses_below(scene.stresses, out.problem, out.result, out.bodies.rail_poisson,
+                                out.motion.reference.s);
   const double turn = turn_of_contact(out.problem, out.result);
   if (const double error = predicted_halfspace_error(turn); error > scene.solver.model_tolerance)
     out.warnings.push_back(fmt::format(
@@ -110,10 +111,11 @@ void add_creepages(const ContactSetup& setup, SceneResult& out) {
   if (!motion.tangential || (setup.patch() && setup.patch()->slip))
     return;
   const Creepage last = motion.steps.empty() ? motion.creepage : motion.creepage_of(motion.steps.back());
-  const double per_slip = out.contact_radius > 0 ? out.rolling_radius / out.contact_radius : 1.0;
-  out.xi = last.xi + per_slip * (last.slip_x + out.result.creepage_x);
-  out.eta = last.eta + out.result.creepage_s;
-  out.phi = last.phi;
+  const double per_slip =
+      out.motion.contact_radius > 0 ? out.motion.rolling_radius / out.motion.contact_radius : 1.0;
+  out.motion.xi = last.xi + per_slip * (last.slip_x + out.result.totals.creepage_x);
+  out.motion.eta = last.eta + out.result.totals.creepage_s;
+  out.motion.phi = last.phi;
 }
 
 /// What is handed back of a solution: with totals about the reference point, outlines of the bodies, stresses
@@ -126,9 +128,8 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   out.track = track_text(asked.scene);
   warn_of_slide(asked, solved);
   out.patch_places = patch_places(asked.setup, solved.contact, solved.result);
-  out.model = solved.model;
-  out.why_this_model = choice.why_this_model;
-  out.model_enough = choice.enough;
+  out.choice = choice;
+  out.choice.model = solved.model;
   out.problem = std::move(solved.contact.problem);
   out.layer = std::move(solved.contact.layer);
   out.result = std::move(solved.result);
@@ -137,23 +138,23 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   out.seconds = solved.seconds;
   warn_of_model(out);
   std::ranges::move(input_warnings(asked.scene, asked.setup), std::back_inserter(out.warnings));
-  out.rail_poisson = asked.setup.rail.material.poisson;
-  out.left = asked.scene.position.side == WheelSide::left;
-  out.reference = asked.setup.reference();
+  out.bodies.rail_poisson = asked.setup.rail.material.poisson;
+  out.motion.left = asked.scene.position.side == WheelSide::left;
+  out.motion.reference = asked.setup.reference();
   if (const WheelRailGeometry* placed = asked.setup.wheel_rail()) {
-    out.lateral = asked.scene.position.lateral;
-    out.rolling_radius = asked.setup.motion.creepage.rolling_radius;
-    out.contact_radius = contact_radius(placed->pair, out.problem, out.result);
-    out.rail_geometry = placed->pair.rail.digest();
-    out.wheel_geometry = placed->pair.wheel.digest();
+    out.motion.lateral = asked.scene.position.lateral;
+    out.motion.rolling_radius = asked.setup.motion.creepage.rolling_radius;
+    out.motion.contact_radius = contact_radius(placed->pair, out.problem, out.result);
+    out.bodies.rail_geometry = placed->pair.rail.digest();
+    out.bodies.wheel_geometry = placed->pair.wheel.digest();
   }
   add_creepages(asked.setup, out);
-  out.moment = moment_about(out.reference, out.result);
+  out.moment = moment_about(out.motion.reference, out.result);
   if (asked.setup.wheel_rail() || has_influence_files_of_both(asked))
-    out.wheel_s = std::move(solved.contact.wheel_s);
+    out.bodies.wheel_s = std::move(solved.contact.wheel_s);
   Outlines bodies = outlines(asked.setup, out.problem);
-  out.rail_profile = std::move(bodies.rail);
-  out.wheel_profile = std::move(bodies.wheel);
+  out.bodies.rail_profile = std::move(bodies.rail);
+  out.bodies.wheel_profile = std::move(bodies.wheel);
   warn_of_discretisation(out.result, out.warnings);
   std::ranges::move(result_warnings(asked, out), std::back_inserter(out.warnings));
   add_stresses(asked.scene, out);
@@ -188,7 +189,7 @@ ContactTraits foreseen_traits(const ContactCase& asked, const ContactOnGrid& con
 /// What the solution itself says of the choice: a costlier model, or the same with what is known now.
 ModelChoice checked(const ContactCase& asked, ModelChoice taken, const ContactTraits& foreseen,
                     const ModelRequest& request, const GridSolution& solved) {
-  if (is_closed_form(taken.model) || has_files(taken.model) || !solved.result.converged ||
+  if (is_closed_form(taken.model) || has_files(taken.model) || !solved.result.certified() ||
       solved.result.patches.empty())
     return taken;
   ModelChoice known =
@@ -201,33 +202,34 @@ bool ends_here(const SolveResources& resources, const GridSolution& solved) {
   return !resources.early_end || !resources.early_end->ends(solved.contact.problem, solved.result);
 }
 
-std::optional<FreeCreepage> free_creepage_if_asked(PlacedSolution& placed, const SolveResources& resources) {
+std::optional<Measured> free_creepage_if_asked(PlacedSolution& placed, const SolveResources& resources) {
   const GridSolution& solved = placed.solved;
-  const bool asked = resources.free_rolling && !is_closed_form(solved.model) && solved.result.converged &&
+  const bool asked = resources.free_rolling && !is_closed_form(solved.model) && solved.result.certified() &&
                      !solved.result.patches.empty() && placed.asked.setup.motion.force_x != 0.0;
   return asked && ends_here(resources, solved) ? free_creepage_of(placed.asked, placed.solved, resources)
                                                : std::nullopt;
 }
 
 /// SceneResult::free_rolling of what free_creepage_of() found.
-FreeRolling free_rolling_at(const ContactCase& asked, const FreeCreepage& found, const SceneResult& solved) {
+FreeRolling free_rolling_at(const ContactCase& asked, const Measured& found, const SceneResult& solved) {
   const Creepage& given = asked.setup.motion.creepage;
-  const double per_slip = solved.contact_radius > 0 ? solved.rolling_radius / solved.contact_radius : 1.0;
-  const double xi = (asked.scene.motion.pitch_rate ? given.xi : 0) + per_slip * (given.slip_x + found.x);
-  return {xi, solved.rolling_radius / (1 - xi), found.error, solved.contact_radius};
+  const double per_slip =
+      solved.motion.contact_radius > 0 ? solved.motion.rolling_radius / solved.motion.contact_radius : 1.0;
+  const double xi = (asked.scene.motion.pitch_rate ? given.xi : 0) + per_slip * (given.slip_x + found);
+  return {{xi, found.error}, solved.motion.rolling_radius / (1 - xi), solved.motion.contact_radius};
 }
 
 SceneResult recorded(PlacedSolution placed, const ModelChoice& choice, const SolveResources& resources) {
   const Stopwatch finding;
-  const std::optional<FreeCreepage> free = free_creepage_if_asked(placed, resources);
+  const std::optional<Measured> free = free_creepage_if_asked(placed, resources);
   const double seconds = finding.seconds();
   SceneResult out = record_of(placed.asked, std::move(placed.solved), choice);
   out.structure = std::move(placed.structure);
-  if (out.lateral && resources.displacements &&
+  if (out.motion.lateral && resources.displacements &&
       !resources.totals_only) // not where one of many totals is wanted
     out.conformity = conformity_of_case(placed.asked);
   if (free)
-    out.free_rolling = free_rolling_at(placed.asked, *free, out);
+    out.motion.free_rolling = free_rolling_at(placed.asked, *free, out);
   out.seconds.free_rolling += seconds;
   return out;
 }

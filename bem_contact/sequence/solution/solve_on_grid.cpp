@@ -125,9 +125,9 @@ void solve_steps(const ContactSetup& setup, const SolverOptions& options, Contac
   out.result = out.history.back();
   setup.prescribe(steps[last], problem);
   for (int k = 0; k < last; ++k)
-    if (!out.history[k].converged)
-      out.warnings.push_back(
-          fmt::format("step {} of {} is not a solution ({})", k + 1, last + 1, out.history[k].solver_note));
+    if (!out.history[k].certified())
+      out.warnings.push_back(fmt::format("step {} of {} is not a solution ({})", k + 1, last + 1,
+                                         out.history[k].trust.solver_note));
 }
 
 /// Takes the pair's numbers from where a solution leaves them, puts the layer between the bodies, and gives
@@ -225,8 +225,8 @@ void solve_by_numbers(const ContactCase& asked, const SolveTask& task, const Sol
     asked.setup.prescribe(asked.setup.motion.steps.back(), out.contact.problem);
   }
   const auto add = [&](const ContactResult& result) {
-    out.seconds.check += result.check_seconds;
-    out.seconds.estimate += result.estimate_seconds;
+    out.seconds.check += result.effort.check_seconds;
+    out.seconds.estimate += result.effort.estimate_seconds;
   };
   if (out.history.empty())
     add(out.result);
@@ -250,8 +250,8 @@ GridSolution solve_on_grid(const ContactCase& asked, ContactOnGrid contact, cons
   return out;
 }
 
-std::optional<FreeCreepage> free_creepage_of(const ContactCase& asked, GridSolution& solved,
-                                             const SolveResources& resources) {
+std::optional<Measured> free_creepage_of(const ContactCase& asked, GridSolution& solved,
+                                         const SolveResources& resources) {
   const ContactResult& result = solved.result;
   ContactSetup setup = asked.setup;
   setup.motion.force_x = 0;
@@ -265,12 +265,12 @@ std::optional<FreeCreepage> free_creepage_of(const ContactCase& asked, GridSolut
       creepage += solved.contact.problem.slip_x[i] - problem.slip_x[i];
       ++elements;
     }
-  creepage = creepage / elements + result.creepage_x;
+  creepage = creepage / elements + result.totals.creepage_x;
   NumbersOfGrid pair(asked, solved.model, solved.contact, resources);
   problem.numbers = pair.take(solved.numbers);
   std::optional<LayerInNumbers> layer(std::in_place, solved.contact.layer, problem.numbers);
   WorkBudget work = resources.work.another(); // it must not end the case that is asked for
-  std::optional<FreeCreepage> found;
+  std::optional<Measured> found;
   try {
     found = free_creepage(problem, result, creepage,
                           {.tolerance = asked.scene.solver.tolerance,
@@ -282,7 +282,7 @@ std::optional<FreeCreepage> free_creepage_of(const ContactCase& asked, GridSolut
   }
   layer.reset();
   pair.keep(std::move(problem.numbers), solved.numbers);
-  const bool stated = result.discretisation && result.discretisation->converges;
+  const bool stated = result.trust.discretisation && result.trust.discretisation->converges;
   if (stated && found && !std::isfinite(found->error)) // a precise solution may have an error
     found.reset();
   return found;

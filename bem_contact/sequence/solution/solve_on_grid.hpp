@@ -66,7 +66,7 @@ GridSolution solve_on_grid(const ContactCase& asked, ContactOnGrid contact, cons
 
 /// Free rolling of a certified solution, on its elements (free_creepage() of contact/solve.hpp): load.force_x
 /// = 0, and no motion.xi but by motion.pitch_rate. Takes the numbers of `solved`.
-std::optional<FreeCreepage> free_creepage_of(const ContactCase& asked, GridSolution& solved,
-                                             const SolveResources& resources);
+std::optional<Measured> free_creepage_of(const ContactCase& asked, GridSolution& solved,
+                                         const SolveResources& resources);
 
 } // namespace bem_contact

@@ -134,7 +134,7 @@ double contact_shift_y(const ContactCase& asked, const GridSolution& solved,
       const int i = is * problem.grid.mx + ix;
       const double p = result.pn[i];
       pressure += p;
-      const double slide = result.displacements.us[i] + result.approach * s.z + away.y;
+      const double slide = result.displacements.us[i] + result.totals.approach * s.z + away.y;
       moved += p * (slide * s.y - away.z * s.z);
     }
   }
@@ -224,7 +224,7 @@ PlacedSolution solve_on_placed_bodies(const ContactCase& asked, const SceneFile:
   take();
   if (!can_be_placed(asked.scene))
     return out;
-  while (out.solved.result.converged) {
+  while (out.solved.result.certified()) {
     if (structure.solutions == most_placements)
       throw ConvergenceError(
           "The bodies do not come to rest under their structures' motion",
@@ -250,7 +250,7 @@ bool is_placed_by_contact(const SceneFile& scene) {
 }
 
 double local_approach(const ContactCase& asked, const GridSolution& solved) {
-  const double q = solved.result.approach;
+  const double q = solved.result.totals.approach;
   if (const WheelRailGeometry* placed = asked.setup.wheel_rail(); placed && placed->structure)
     return q - placed->structure->lowered;
   std::optional<StructuralResult> structure = structures_of(asked, solved.model);

@@ -62,7 +62,7 @@ GridPlan without_far_elements(GridPlan plan, const GridSolution& solved) {
   const auto look = [&](const ContactResult& result) {
     double approach = 0;
     for (const PatchSummary& patch : result.patches)
-      approach = std::max(approach, patch.overlap);
+      approach = std::max(approach, patch.overlap.value);
     for (int i = 0; i < grid.size(); ++i)
       if (result.state[i] != ElementState::exterior ||
           result.deformed_distance[i] < near_distance * approach) {
@@ -172,7 +172,7 @@ TrimmedPlan trimmed(const ContactCase& asked, const GridPlan& plan, const SolveT
   tools.totals_only = true;
   try {
     const GridSolution solved = solve_on_grid(asked, asked.setup.on(rough), task, tools);
-    const bool serves = solved.result.converged && !solved.result.patches.empty();
+    const bool serves = solved.result.certified() && !solved.result.patches.empty();
     return {serves ? without_far_elements(plan, solved) : plan, solved.seconds};
   } catch (const Error&) { // the plan itself says what is wrong
     return {plan, {}};

@@ -63,12 +63,12 @@ private:
 
 std::optional<FormerSolution> former_of(Model model, const ContactProblem& problem,
                                         const ContactResult& result, const ContactEstimate& estimate) {
-  if (!(result.converged || result.ended_early) || result.patches.empty() || !(estimate.approach > 0))
+  if (!(result.certified() || result.trust.ended_early) || result.patches.empty() || !(estimate.approach > 0))
     return std::nullopt;
   return FormerSolution{problem.grid,
                         problem.rows.front().s,
-                        result.Fz,
-                        result.approach,
+                        result.totals.Fz,
+                        result.totals.approach,
                         potential_areas(estimate),
                         result.px,
                         result.ps,

@@ -113,21 +113,24 @@ public:
   Contact(Sequence& sequence, const SceneFile& scene, const std::atomic<bool>* stop)
       : sequence_(sequence), scene_(scene), stop_(stop) {
     first_ = sequence.solve(scene, stop);
-    scene_ = with_elements(with_model(scene, first_.model), first_.problem.grid.dx, first_.problem.grid.ds);
+    scene_ =
+        with_elements(with_model(scene, first_.choice.model), first_.problem.grid.dx, first_.problem.grid.ds);
     scene_.stresses.depths.clear();
     scene_.motion.free_rolling = false;
     if (scene.load.force_y)
-      scene_ = with_lateral(scene_, first_.lateral.value_or(scene.position.lateral));
+      scene_ = with_lateral(scene_, first_.motion.lateral.value_or(scene.position.lateral));
     if (scene.motion.from_free_rolling) {
       scene_.motion.from_free_rolling = false;
-      offset_ = first_.xi - scene.motion.xi;
+      offset_ = first_.motion.xi - scene.motion.xi;
     }
   }
 
   const SceneResult& first() const { return first_; }
   Creepages asked() const { return {scene_.motion.xi, scene_.motion.eta, scene_.motion.phi}; }
   /// Free rolling, as motion.xi counts it; 0 for a patch.
-  double free_xi() const { return offset_ != 0 || !first_.free_rolling ? 0 : first_.free_rolling->xi; }
+  double free_xi() const {
+    return offset_ != 0 || !first_.motion.free_rolling ? 0 : first_.motion.free_rolling->xi.value;
+  }
   SceneFile scene_at(const Creepages& creepages) const {
     SceneFile scene = scene_;
     scene.motion.xi = creepages[0] + offset_;
@@ -152,7 +155,7 @@ CreepDerivatives derivatives(Contact& contact, const Creepages& at, const Creepa
   const auto difference = [&](CreepKind kind, double h) {
     Creepages up = at, down = at;
     up[index(kind)] += h, down[index(kind)] -= h;
-    const CreepForceValues a = forces_of(contact.at(up)), b = forces_of(contact.at(down));
+    const MeasuredCreepForces a = forces_of(contact.at(up)), b = forces_of(contact.at(down));
     CreepForceValues slope{};
     for (std::size_t i = 0; i < slope.size(); ++i)
       slope[i] = (a[i] - b[i]) / (2 * h);
@@ -191,7 +194,7 @@ CreepCurve curve_of(Contact& contact, const CreepRange& range, const Creepages& 
     creepages[k] = value;
     const SceneResult r = contact.at(creepages);
     curve.points.push_back(
-        {value, forces_of(r), force_errors_of(r), adhesion_share(r.result), r.result.certificate.holds()});
+        {value, forces_of(r), r.result.totals.adhesion_share, r.result.trust.certificate.holds()});
   }
   return curve;
 }
@@ -199,7 +202,8 @@ CreepCurve curve_of(Contact& contact, const CreepRange& range, const Creepages& 
 } // namespace
 
 bool CreepCurves::certified() const {
-  return solution.result.certificate.holds() && std::ranges::all_of(curves, [](const CreepCurve& curve) {
+  return solution.result.trust.certificate.holds() &&
+         std::ranges::all_of(curves, [](const CreepCurve& curve) {
            return std::ranges::all_of(curve.points, &CreepPoint::certified);
          });
 }
@@ -217,7 +221,7 @@ CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ran
     throw InputError("This scene has no creep curves", "its bodies do not touch, or their friction is zero",
                      "Press them together, and set motion.friction.");
   out.linear = linear_theory(out.solution, scene.rail.material, scene.wheel.material);
-  out.radius = out.linear ? out.linear->c() : std::sqrt(contact_area(out.solution.result) / std::numbers::pi);
+  out.radius = out.linear ? out.linear->c() : std::sqrt(out.solution.result.totals.area / std::numbers::pi);
   const Creepages scale = saturation(out, scene), asked = contact.asked();
   const auto part = [&](double share) {
     return Creepages{share * scale[0], share * scale[1], share * scale[2]};
@@ -226,7 +230,7 @@ CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ran
   out.linearised =
       linearised_sensitivities(contact.scene_at(asked), out.solution, part(sensitivity_step), *files);
   const Creepages rigid = rigid_creepages(out.solution);
-  const double found = out.solution.result.creepage_x;
+  const double found = out.solution.result.totals.creepage_x;
   Creepages none{};
   for (const CreepKind kind : kinds)
     none[index(kind)] = asked[index(kind)] - rigid[index(kind)];

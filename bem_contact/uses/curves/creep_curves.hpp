@@ -39,10 +39,10 @@ struct CreepRange {
 
 /// One solution.
 struct CreepPoint {
-  double creepage = 0;                 ///< the one that varies
-  CreepForceValues forces{}, errors{}; ///< errors: by the size of the elements
-  double adhesion_share = 0;           ///< of the area in contact
-  bool certified = false;              ///< the certificate holds
+  double creepage = 0;          ///< the one that varies
+  MeasuredCreepForces forces{}; ///< with their stated errors
+  double adhesion_share = 0;    ///< of the area in contact
+  bool certified = false;       ///< the certificate holds
 };
 
 /// Forces over one creepage.

@@ -8,12 +8,8 @@ using record::field;
 using record::Number;
 using record::Record;
 
-template <CreepForce which> double force(const CreepPoint& p) {
-  return p.forces[static_cast<std::size_t>(which)];
-}
-template <CreepForce which> double error(const CreepPoint& p) {
-  return p.errors[static_cast<std::size_t>(which)];
-}
+template <CreepForce which>
+constexpr auto force = [](const CreepPoint& p) { return p.forces[static_cast<std::size_t>(which)]; };
 
 record::Content matrix(const CreepMatrix* m, const char* meaning) {
   if (!m)
@@ -47,13 +43,13 @@ record::Content ellipse_of(const std::optional<LinearTheory>& l) {
 std::span<const ColumnOf<CreepPoint>> creep_columns() {
   static constexpr Unit yes_no{"1", nullptr, QuantityKind::count};
   static constexpr ColumnOf<CreepPoint> columns[] = {
-      {"Fx", "N", "on the rail", force<CreepForce::Fx>, error<CreepForce::Fx>},
-      {"Fs", "N", "on the rail", force<CreepForce::Fs>, error<CreepForce::Fs>},
-      {"Mz", "N mm", "on the rail", force<CreepForce::Mz>, error<CreepForce::Mz>},
+      {"Fx", "N", "on the rail", force<CreepForce::Fx>},
+      {"Fs", "N", "on the rail", force<CreepForce::Fs>},
+      {"Mz", "N mm", "on the rail", force<CreepForce::Mz>},
       {"adhesion_share", "1", "of the area in contact that adheres",
-       [](const CreepPoint& p) { return p.adhesion_share; }, nullptr, 6},
+       [](const CreepPoint& p) { return p.adhesion_share; }, 6},
       {"certified", yes_no, "1: the point is a solution",
-       [](const CreepPoint& p) { return p.certified ? 1.0 : 0.0; }, nullptr, 1}};
+       [](const CreepPoint& p) { return p.certified ? 1.0 : 0.0; }, 1}};
   return columns;
 }
 
@@ -76,12 +72,12 @@ Record record_of(const CreepCurves& c) {
   Record curves;
   for (const CreepCurve& curve : c.curves)
     curves.add(std::string(name_of(curve.which)), table_of(curve));
-  const CreepForceValues forces = forces_of(c.solution);
+  const MeasuredCreepForces forces = forces_of(c.solution);
   const Creepages rigid = rigid_creepages(c.solution);
   return {
-      {"model", record::Text{std::string(name_of(c.solution.model))}},
+      {"model", record::Text{std::string(name_of(c.solution.choice.model))}},
       {"certified", c.certified()},
-      {"Fz", Number{c.solution.result.Fz, "N", "on the rail, down"}},
+      {"Fz", Number{c.solution.result.totals.Fz, "N", "on the rail, down"}},
       {"bound", Number{c.bound, "N", "sum of mu p_n dS: no shear force is larger"}},
       {"radius", Number{c.radius, "mm", "c = sqrt(a b) of the ellipse, or of the area in contact"}},
       {"forces", field({forces.begin(), forces.end()}, "N, N, N mm", "Fx, Fs, Mz at the scene's creepages")},

@@ -4,23 +4,11 @@
 
 namespace bem_contact {
 
-namespace {
-
-template <class Of> CreepForceValues each_force(const Of& of) {
-  CreepForceValues out{};
+MeasuredCreepForces forces_of(const SceneResult& result) {
+  MeasuredCreepForces out{};
   for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = of(quantity(EnumNames<CreepForce>::names[i]));
+    out[i] = quantity(EnumNames<CreepForce>::names[i]).measured(result);
   return out;
-}
-
-} // namespace
-
-CreepForceValues forces_of(const SceneResult& result) {
-  return each_force([&](const Quantity& q) { return q.value(result); });
-}
-
-CreepForceValues force_errors_of(const SceneResult& result) {
-  return each_force([&](const Quantity& q) { return q.error(result); });
 }
 
 Creepages rigid_creepages(const SceneResult& r) {
@@ -28,8 +16,8 @@ Creepages rigid_creepages(const SceneResult& r) {
   // Weighted sums: 1, x, s, their squares, the slips, and slips times the other coordinate.
   double w = 0, x1 = 0, s1 = 0, squares = 0, wx = 0, ws = 0, turning = 0;
   for (int i = 0; i < grid.size(); ++i) {
-    const double p = r.result.pn[i], x = grid.x(i % grid.mx) - r.reference.x,
-                 s = r.problem.rows[i / grid.mx].s - r.reference.s;
+    const double p = r.result.pn[i], x = grid.x(i % grid.mx) - r.motion.reference.x,
+                 s = r.problem.rows[i / grid.mx].s - r.motion.reference.s;
     w += p, x1 += p * x, s1 += p * s, squares += p * (x * x + s * s);
     wx += p * r.problem.slip_x[i], ws += p * r.problem.slip_s[i];
     turning += p * (x * r.problem.slip_s[i] - s * r.problem.slip_x[i]);

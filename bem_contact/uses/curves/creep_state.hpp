@@ -25,14 +25,12 @@ template <> struct EnumNames<CreepForce> {
 using Creepages = std::array<double, 3>;
 /// Indexed by CreepForce: N, N, N mm.
 using CreepForceValues = std::array<double, 3>;
+using MeasuredCreepForces = std::array<Measured, 3>; ///< with their stated errors
 /// [CreepForce][CreepKind]: derivatives of forces by creepages. Fx, Fs: N, N, N mm; Mz: N mm, N mm, N mm^2.
 using CreepMatrix = std::array<std::array<double, 3>, 3>;
 
-/// The forces of a result.
-CreepForceValues forces_of(const SceneResult& result);
-/// Returns the absolute errors of the forces (N, N, N mm) that the size of the elements is estimated to
-/// cause; nan: not known.
-CreepForceValues force_errors_of(const SceneResult& result);
+/// The forces of a result, with the errors that the size of the elements is estimated to cause.
+MeasuredCreepForces forces_of(const SceneResult& result);
 
 /// The creepages whose rigid slip is nearest to that of the result, in the mean square over the contact,
 /// weighted by the pressure. Those that a scene gives are among them, and those of the geometry.

@@ -52,8 +52,8 @@ CreepForceValues forces_of(const SceneResult& r, const ShearChange& change) {
     const double px = change.px[i], ps = change.ps[i];
     out[0] += px;
     out[1] += ps * r.problem.lateral_share(i / grid.mx);
-    out[2] += (grid.x(i % grid.mx) - r.reference.x) * ps * std::cos(row.delta) -
-              (row.position.y - r.reference.position.y) * px;
+    out[2] += (grid.x(i % grid.mx) - r.motion.reference.x) * ps * std::cos(row.delta) -
+              (row.position.y - r.motion.reference.position.y) * px;
   }
   for (double& force : out)
     force *= r.problem.element_area();
@@ -64,12 +64,12 @@ CreepForceValues forces_of(const SceneResult& r, const ShearChange& change) {
 
 std::optional<CreepMatrix> linearised_sensitivities(const SceneFile& scene, const SceneResult& result,
                                                     const Creepages& steps, SequenceFiles& files) {
-  if (is_closed_form(result.model) || result.structure || !result.problem.is_coulomb())
+  if (is_closed_form(result.choice.model) || result.structure || !result.problem.is_coulomb())
     return std::nullopt;
   const GridPlan plan = plan_of(result);
   const ContactCase asked = prepare_case(scene, files);
   ContactOnGrid on = asked.setup.on(plan);
-  on.problem.numbers = pair_numbers(result.model, asked.setup, asked.files, on);
+  on.problem.numbers = pair_numbers(result.choice.model, asked.setup, asked.files, on);
   add_layer(result.layer, on.problem.numbers);
   std::vector<SlipChange> changes;
   for (const CreepKind kind : {CreepKind::xi, CreepKind::eta, CreepKind::phi})

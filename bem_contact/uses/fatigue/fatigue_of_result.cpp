@@ -95,7 +95,7 @@ Fatigue fatigue_of(const SceneResult& solved, const FatigueProperties& propertie
   require_yield_shear(properties.yield_shear);
   validate(properties.damage);
   const ContactResult& r = solved.result;
-  if (!r.converged)
+  if (!r.certified())
     throw InputError("There is no fatigue of a result that did not converge",
                      "its tractions are not a solution", "Solve the scene first.");
   const bool power = solved.problem.motion != MotionKind::shift; // it is work by area there
@@ -110,7 +110,7 @@ Fatigue fatigue_of(const SceneResult& solved, const FatigueProperties& propertie
     out.patches.push_back(fatigue_of_patch(r.patches[k], largest, power, properties));
   }
   if (properties.stresses && !out.patches.empty())
-    out.peaks = stress_peaks(solved.problem, r, solved.rail_poisson);
+    out.peaks = stress_peaks(solved.problem, r, solved.bodies.rail_poisson);
   return out;
 }
 
@@ -150,7 +150,7 @@ CollectiveFatigue fatigue_of(const SweepFile& sweep, const FatigueProperties& pr
   double weights = 0;
   for (std::size_t i = 0; i < sweep.size(); ++i) {
     const SceneResult result = sequence.solve(sweep.scene(i), stop);
-    if (!result.result.converged)
+    if (!result.result.certified())
       throw ConvergenceError(fmt::format("Case {} has no certified result", i), sweep.describe(i),
                              "Solve it alone to see why.");
     const Fatigue f = fatigue_of(result, properties);

@@ -36,7 +36,7 @@ SweepCase case_of(const SceneResult& result, const SweepOptions& options) {
   SweepCase out;
   const bool all = certified(result);
   out.status = all ? CaseStatus::certified : CaseStatus::not_certified;
-  say(out, all ? result.result.solver_note : why_not_certified(result));
+  say(out, all ? result.result.trust.solver_note : why_not_certified(result));
   out.summary = summary_of(result);
   out.patches = patch_rows(result);
   if (options.seen)

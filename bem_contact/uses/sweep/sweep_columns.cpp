@@ -74,7 +74,7 @@ bool is_model(const SweepColumn& column) {
 
 std::vector<double> summary_of(const SceneResult& result) {
   std::vector<double> values = values_of(quantities(), result);
-  values.push_back(static_cast<double>(result.model));
+  values.push_back(static_cast<double>(result.choice.model));
   return values;
 }
 
@@ -83,7 +83,7 @@ std::vector<double> summary_of(const WheelsetResult& result) {
   for (const WheelSide side : both_sides) {
     for (const WheelQuantity& q : wheel_quantities())
       values.push_back(q.value(result.state, side));
-    values.push_back(static_cast<double>(result.state.solved(side).model));
+    values.push_back(static_cast<double>(result.state.solved(side).choice.model));
   }
   values.push_back(static_cast<double>(result.warnings.size()));
   return values;

@@ -75,8 +75,9 @@ PointValues values_of(const SceneResult& r) {
   PointValues out;
   for (const ColumnSource& source : sources) {
     const auto add = [&](const auto& q, auto... patch) {
-      out.values.push_back(q.value(r, patch...));
-      out.element_errors.push_back(q.error ? q.error(r, patch...) : unknown_error);
+      const Measured number = q.measured(r, patch...);
+      out.values.push_back(number);
+      out.element_errors.push_back(number.error);
     };
     if (!source.patch)
       add(quantity(source.of));
@@ -185,7 +186,7 @@ PointSolver scene_point_solver(const SceneTable& described) {
     };
     try {
       const SceneResult result = solver->sequence.solve(scene_at(described, solver->reader, point));
-      if (!result.result.certificate.holds())
+      if (!result.result.trust.certificate.holds())
         throw uncertified_error(result);
       return values_of(result);
     } catch (const InputError& error) {

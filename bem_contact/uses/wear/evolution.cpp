@@ -113,7 +113,7 @@ WornPair wear_step(const WornPair& now, const std::vector<CollectiveCase>& cases
     use_profile(scene.rail, folder / "rail.txt", files ? influence.rail.file : "");
     use_profile(scene.wheel, folder / "wheel.txt", files ? influence.wheel.file : "");
     const SceneResult result = sequence.solve(scene, options.stop);
-    if (!result.result.converged)
+    if (!result.result.certified())
       throw ConvergenceError("A case of the load collective has no certified result",
                              fmt::format("lateral displacement {:g} mm, {:g} revolutions so far",
                                          scene.position.lateral, now.revolutions),

@@ -11,7 +11,7 @@ namespace bem_contact::wear {
 namespace {
 
 void require_steady_friction(const SceneResult& r) {
-  if (!r.result.converged)
+  if (!r.result.certified())
     throw InputError("There is no wear of a result that did not converge", "its tractions are not a solution",
                      "Solve the scene first.");
   if (r.problem.motion != MotionKind::steady)
@@ -55,8 +55,8 @@ Wear wear_of(const SceneResult& r, const Law& law) {
   out.rail.width = grid.ds;
   for (const ContactRow& row : r.problem.rows)
     out.rail.s.push_back(row.s);
-  if (!r.wheel_s.empty())
-    out.wheel = {r.wheel_s, out.rail.depth, grid.ds};
+  if (!r.bodies.wheel_s.empty())
+    out.wheel = {r.bodies.wheel_s, out.rail.depth, grid.ds};
   out.volume_per_distance = r.problem.element_area() * std::accumulate(out.rate.begin(), out.rate.end(), 0.0);
   out.sliding_over_s = row_sums(grid, out.sliding_distance, 1);
   return out;

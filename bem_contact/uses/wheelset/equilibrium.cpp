@@ -162,7 +162,7 @@ public:
     double share = 1;
     for (const WheelSide side : both_sides) {
       const double sign = side == WheelSide::right ? 1 : -1;
-      const double approach = s.solved(side).result.approach, more = step[0] + sign * step[1];
+      const double approach = s.solved(side).result.totals.approach, more = step[0] + sign * step[1];
       if (more < 0 && s.wrench(side).force[2] < lifted_share * force())
         refuse_lift(side, s, given_);
       if (more < 0)
@@ -176,7 +176,7 @@ public:
   }
 
   void set_arm(const WheelsetState& s) {
-    arm_ = 0.5 * (s.right.reference.position.y + s.left.reference.position.y);
+    arm_ = 0.5 * (s.right.motion.reference.position.y + s.left.motion.reference.position.y);
   }
 
   int evaluations = 0;
@@ -244,7 +244,8 @@ struct Search {
 
 /// Whether friction is used up: hardly an element adheres on either wheel.
 bool slides(const WheelsetState& s) {
-  return std::max(adhesion_share(s.right.result), adhesion_share(s.left.result)) < sliding_adhesion;
+  return std::max(s.right.result.totals.adhesion_share, s.left.result.totals.adhesion_share) <
+         sliding_adhesion;
 }
 
 [[noreturn]] void refuse_search(const WheelsetState& s, const SceneFile::Wheelset& given, double residual) {
@@ -278,7 +279,7 @@ WheelsetPose stand(WheelPair& wheels, double lateral, const EquilibriumStart& st
 }
 
 EquilibriumStart Equilibrium::start() const {
-  return {state.right.result.approach, state.left.result.approach, state.pose.roll,
+  return {state.right.result.totals.approach, state.left.result.totals.approach, state.pose.roll,
           state.pose.rolling_radius};
 }
 
@@ -308,7 +309,7 @@ Equilibrium search_equilibrium(WheelPair& wheels, const WheelsetPose& first, dou
               {search.slope.data(), search.slope.data() + search.slope.size()}};
     if (search.step(here))
       continue;
-    const double approach = std::min(here.right.result.approach, here.left.result.approach);
+    const double approach = std::min(here.right.result.totals.approach, here.left.result.totals.approach);
     const auto better =
         search.exact ? std::nullopt : differences(balance, search.u, search.f, difference_share * approach);
     if (!better)

@@ -31,8 +31,8 @@ EquilibriumStart begin_at(WheelPair& wheels, double lateral, double factor) {
   start.roll = s.pose.roll;
   const double half = 0.5 * *wheels.scene().wheelset.force;
   const auto nearer = [&](const SceneResult& r) {
-    const double ratio = std::clamp(half / std::max(r.result.Fz, 0.1 * half), 0.1, 10.0);
-    return r.result.approach * std::pow(ratio, 1 / hertz_exponent);
+    const double ratio = std::clamp(half / std::max(r.result.totals.Fz.value, 0.1 * half), 0.1, 10.0);
+    return r.result.totals.approach * std::pow(ratio, 1 / hertz_exponent);
   };
   start.right = nearer(s.right);
   start.left = nearer(s.left);

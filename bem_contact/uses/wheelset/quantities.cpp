@@ -34,9 +34,6 @@ template <double PatchPlace::*Member> double mirrored_place(const State& s, Whee
   return sign(side) * place<Member>(s, side);
 }
 
-template <std::size_t I> double force(const State& s, WheelSide side) {
-  return s.wrench(side).force[I];
-}
 template <std::size_t I> double moment(const State& s, WheelSide side) {
   return s.wrench(side).moment[I];
 }
@@ -49,18 +46,23 @@ template <std::size_t size> struct Name {
   consteval Name(const char (&from)[size]) { std::ranges::copy(from, text); }
   char text[size];
 };
-/// A number of the wheel's own result, and its error.
-template <Name name> double own(const State& s, WheelSide side) {
-  return quantity(name.text).value(s.solved(side));
-}
-template <Name name> double own_error(const State& s, WheelSide side) {
-  return quantity(name.text).error(s.solved(side));
-}
+/// A number of the wheel's own result, with its error.
+template <Name name>
+constexpr auto own =
+    [](const State& s, WheelSide side) { return quantity(name.text).measured(s.solved(side)); };
+/// The same without an error.
+template <Name name>
+constexpr auto own_value = [](const State& s, WheelSide side) -> double { return own<name>(s, side); };
 /// The same with the unit and the description that it has there.
 template <Name name> WheelQuantity as_in_result() {
   const Quantity& q = quantity(name.text);
-  return {q.name, q.unit, q.meaning, own<name>, own_error<name>};
+  return {q.name, q.unit, q.meaning, own<name>};
 }
+/// A force in the track frame. The wheel's own result has its size and its error.
+template <std::size_t I, Name name>
+constexpr auto force = [](const State& s, WheelSide side) {
+  return Measured{s.wrench(side).force[I], own<name>(s, side).error};
+};
 
 /// Of the wheel at the contact, mm.
 double radius(const State& s, WheelSide side) {
@@ -69,7 +71,9 @@ double radius(const State& s, WheelSide side) {
 
 constexpr WheelsetQuantity of_wheelset[] = {
     {"lateral", "mm", "lateral displacement, to the right; its error: of one that was found",
-     [](const Result& r) { return r.state.pose.lateral; }, [](const Result& r) { return r.lateral_error; }},
+     [](const Result& r) {
+       return Measured{r.state.pose.lateral, r.lateral_error};
+     }},
     {"vertical", "mm", "of the centre below wheel_radius above the rails",
      [](const Result& r) { return r.state.pose.vertical; }},
     {"roll", "rad", "right side down", [](const Result& r) { return r.state.pose.roll; }},
@@ -111,9 +115,9 @@ constexpr WheelsetQuantity of_wheelset[] = {
 const WheelQuantity of_wheel[] = {
     {"share", "1", "of the vertical force",
      [](const State& s, WheelSide side) { return s.wrench(side).force[2] / s.sum().force[2]; }},
-    {"Fx", "N", "on the rail", force<0>, own_error<"Fx">},
-    {"Fy", "N", "on the rail, to the right", force<1>, own_error<"Fy">},
-    {"Fz", "N", "on the rail", force<2>, own_error<"Fz">},
+    {"Fx", "N", "on the rail", force<0, "Fx">},
+    {"Fy", "N", "on the rail, to the right", force<1, "Fy">},
+    {"Fz", "N", "on the rail", force<2, "Fz">},
     {"Y_over_Q", "1", "|Fy| / Fz: derailment quotient",
      [](const State& s, WheelSide side) {
        return std::abs(s.wrench(side).force[1]) / s.wrench(side).force[2];
@@ -137,9 +141,9 @@ const WheelQuantity of_wheel[] = {
     as_in_result<"approach">(),
     as_in_result<"pmax">(),
     as_in_result<"area">(),
-    {"patches", "1", "connected areas in contact", own<"patch_count">},
+    {"patches", "1", "connected areas in contact", own_value<"patch_count">},
     as_in_result<"adhesion_share">(),
-    {"T_gamma", "N", "work of friction per unit of rolled distance", own<"T_gamma">, own_error<"T_gamma">},
+    {"T_gamma", "N", "work of friction per unit of rolled distance", own<"T_gamma">},
 };
 
 } // namespace

@@ -294,7 +294,7 @@ bool meets(const SceneFile::Wheelset& given, const Equilibrium& e) {
 /// Whether some wheel's elements are too large for the accuracy asked for, or to tell.
 bool too_coarse(const SceneFile& scene, const WheelsetState& s) {
   const auto coarse = [&](const SceneResult& r) {
-    const double error = asked_error(scene.grid, r);
+    const double error = asked_error(scene.grid, r.result);
     return error < 0 || error > *scene.grid.accuracy;
   };
   return scene.grid.accuracy && (coarse(s.right) || coarse(s.left));

@@ -176,19 +176,19 @@ WheelsetState WheelPair::choose_model(const WheelsetPose& pose, const WheelPair&
 }
 
 void WheelPair::keep_models(const WheelsetState& s) {
-  right_scene_ = with_model(std::move(right_scene_), s.right.model);
-  left_scene_ = with_model(std::move(left_scene_), s.left.model);
+  right_scene_ = with_model(std::move(right_scene_), s.right.choice.model);
+  left_scene_ = with_model(std::move(left_scene_), s.left.choice.model);
   if (scene_.solver.model)
     return;
-  right_choice_ = {s.right.why_this_model, s.right.model_enough};
-  left_choice_ = {s.left.why_this_model, s.left.model_enough};
+  right_choice_ = {s.right.choice.why_this_model, s.right.choice.enough};
+  left_choice_ = {s.left.choice.why_this_model, s.left.choice.enough};
 }
 
 void WheelPair::tell_choice(const std::optional<Choice>& choice, SceneResult& out) const {
   if (!choice)
     return;
-  out.why_this_model = choice->why_this_model;
-  out.model_enough = choice->enough;
+  out.choice.why_this_model = choice->why_this_model;
+  out.choice.enough = choice->enough;
   warn_of_model(out);
 }
 

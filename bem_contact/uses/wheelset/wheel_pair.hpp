@@ -69,7 +69,7 @@ struct WheelsetState {
   /// Torque that must drive the axle against these forces on the rails, N mm.
   double torque(const Wrench& w) const;
   /// Whether the certificates of both wheels hold.
-  bool certified() const { return right.result.converged && left.result.converged; }
+  bool certified() const { return right.result.certified() && left.result.certified(); }
 };
 
 /// Solves both wheels, each with a sequence of its own, so that a wheel starts from its own last solution.

@@ -97,7 +97,7 @@ TEST(CreepCurves, APointIsWhatTheSceneGivesAlone) {
   for (const CreepPoint& p : c.curves[0].points) {
     SceneFile alone = hertz(16, 2e-3, motion);
     alone.motion.phi = p.creepage;
-    const CreepForceValues expected = forces_of(Sequence().solve(alone));
+    const MeasuredCreepForces expected = forces_of(Sequence().solve(alone));
     for (const std::size_t f : {Fx, Fs})
       EXPECT_NEAR(p.forces[f], expected[f], 2e-6 * c.bound);
     EXPECT_NEAR(p.forces[Mz], expected[Mz], 1e-5 * c.bound);

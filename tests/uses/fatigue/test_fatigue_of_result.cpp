@@ -91,7 +91,6 @@ TEST(FatigueOfResult, EachPatchOnItsOwn) {
   for (int i = 0; i < 5; ++i)
     r.problem.rows.push_back({2.0 * i, {2.0 * i, 0.0}, 0.0});
   r.problem.numbers.dx = 1;
-  r.result.converged = true;
   for (auto* field : {&r.result.px, &r.result.ps, &r.result.pn, &r.result.slip_x, &r.result.slip_s})
     field->assign(15, 0.0);
   r.result.pn[0] = 500;

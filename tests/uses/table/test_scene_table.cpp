@@ -38,7 +38,7 @@ TEST(SceneTable, IsWhatItsScenesGive) {
   alone.position.lateral = -2;
   alone.load.force = 6e4;
   const SceneResult r = Sequence().solve(alone);
-  EXPECT_NEAR(interpolate(t, t.column("Fx"), Point{-2, 6e4}), r.result.Fx, 1e-5 * 6e4);
+  EXPECT_NEAR(interpolate(t, t.column("Fx"), Point{-2, 6e4}), r.result.totals.Fx, 1e-5 * 6e4);
   EXPECT_NEAR(interpolate(t, t.column("patch_semi_axis_a"), Point{-2, 6e4}), r.result.patches[0].semi_axis_a,
               1e-3);
   for (const Point& p : {Point{-2.7, 4.3e4}, Point{-1.4, 7.2e4}, Point{-1.1, 5.5e4}}) {

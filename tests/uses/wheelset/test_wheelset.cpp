@@ -43,13 +43,14 @@ TEST(Wheelset, CentredIsTwoSingleWheels) {
   const SceneResult single = Sequence().solve(one);
   for (const WheelSide side : both_sides) {
     const SceneResult& wheel = r.state.solved(side);
-    EXPECT_NEAR(wheel.result.Fz, 1e5, 0.2);
-    EXPECT_NEAR(wheel.result.Fy, single.result.Fy, 1);
-    EXPECT_NEAR(wheel.result.approach, single.result.approach, 1e-6 * single.result.approach);
+    EXPECT_NEAR(wheel.result.totals.Fz, 1e5, 0.2);
+    EXPECT_NEAR(wheel.result.totals.Fy, single.result.totals.Fy, 1);
+    EXPECT_NEAR(wheel.result.totals.approach, single.result.totals.approach,
+                1e-6 * single.result.totals.approach);
     EXPECT_NEAR(wheel.moment, single.moment, 1e-3 * std::abs(single.moment));
   }
   // The torque vanishes, not Fx itself: the pressure of a wheel without yaw has no moment about the axle.
-  EXPECT_NEAR(r.state.pose.rolling_radius.value(), single.free_rolling.value().rolling_radius, 1e-3);
+  EXPECT_NEAR(r.state.pose.rolling_radius.value(), single.motion.free_rolling.value().rolling_radius, 1e-3);
 }
 
 /// Number by number, b is the mirror image of a.
@@ -228,7 +229,8 @@ TEST(Wheelset, ConesRollAsTheTextbookSays) {
   const WheelsetResult r = solve_wheelset(scene);
   const double rigid = -y * slope / (b - h * slope), roll = r.state.pose.roll;
   // Unequal loads press one wheel deeper: half the difference of the approaches over b.
-  const double elastic = (r.state.right.result.approach - r.state.left.result.approach) / (2 * b);
+  const double elastic =
+      (r.state.right.result.totals.approach - r.state.left.result.totals.approach) / (2 * b);
   EXPECT_NEAR(roll, rigid + elastic, 1e-3 * std::abs(rigid));
   EXPECT_NEAR(of_wheel(r, WheelSide::right, "radius") - of_wheel(r, WheelSide::left, "radius"),
               2 * slope * (y - h * roll), 1e-3 * slope * y);
@@ -415,9 +417,9 @@ TEST(Wheelset, AChosenModelSaysWhyAndIsSolvedFewTimes) {
       parse_scene_file("rail.profile = '54E1'\nwheel.profile = 'S1002'\nposition.lateral = 3\n"
                        "wheelset.force = 8e4\nmotion.friction = 0.3\n");
   const WheelsetResult r = solve_wheelset(scene);
-  EXPECT_EQ(r.state.right.model, Model::tangent_plane);
-  EXPECT_THAT(r.state.right.why_this_model, testing::HasSubstr("the normal turns by"));
-  EXPECT_THAT(r.state.left.why_this_model, testing::HasSubstr("the normal turns by"));
+  EXPECT_EQ(r.state.right.choice.model, Model::tangent_plane);
+  EXPECT_THAT(r.state.right.choice.why_this_model, testing::HasSubstr("the normal turns by"));
+  EXPECT_THAT(r.state.left.choice.why_this_model, testing::HasSubstr("the normal turns by"));
   EXPECT_LE(r.residual, 1e-6);
 
   WheelPair others(scene);
@@ -449,7 +451,7 @@ TEST(Wheelset, TheLeftSideMayDiffer) {
   EXPECT_GT(used(WheelSide::right), 0.25);
   const WheelsetResult other = solve_wheelset(
       standard("wheelset.left_wheel_profile = '" CONFORMAL_SOURCE_DIR "/data/bodies/hollow_wheel.txt'\n"));
-  EXPECT_NE(other.state.left.wheel_geometry, other.state.right.wheel_geometry);
+  EXPECT_NE(other.state.left.bodies.wheel_geometry, other.state.right.bodies.wheel_geometry);
   EXPECT_NE(other.state.pose.roll, 0);
 }
 
@@ -464,8 +466,8 @@ TEST(Wheelset, FiniteElementsServeBothWheels) {
                   "wheelset = {{ force = 2e5, roll_moment = 1e7 }}\n",
                   folder)));
   EXPECT_TRUE(r.state.certified());
-  EXPECT_EQ(r.state.right.model, Model::fem);
-  EXPECT_EQ(r.state.left.model, Model::fem);
+  EXPECT_EQ(r.state.right.choice.model, Model::fem);
+  EXPECT_EQ(r.state.left.choice.model, Model::fem);
   EXPECT_NEAR(of_wheelset(r, "Fz"), 2e5, 0.2);
   EXPECT_NEAR(of_wheelset(r, "roll_moment"), 1e7, 2e2);
   double moment = 0;

@@ -44,11 +44,11 @@ Tally run(const SweepFile& sweep, const SequenceAblation& options, const std::ve
     try {
       const SceneResult r = sequence.solve(scene);
       tally.seconds.push_back(double(std::clock() - start) / CLOCKS_PER_SEC);
-      tally.iterations += r.result.outer_iterations;
+      tally.iterations += r.result.effort.outer_iterations;
       tally.contact.push_back(count_elements(r.result).contact);
-      if (r.result.certificate.discretisation >= 0)
-        tally.estimate.push_back(r.result.certificate.discretisation);
-      if (!r.result.converged)
+      if (r.result.trust.certificate.discretisation >= 0)
+        tally.estimate.push_back(r.result.trust.certificate.discretisation);
+      if (!r.result.certified())
         ++tally.refused;
       else if (exact[i].finer > 0)
         tally.error.push_back(error_of(r.result, exact[i]));

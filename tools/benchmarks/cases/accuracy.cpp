@@ -34,11 +34,11 @@ void rows(const SweepFile& sweep, const std::vector<double>& asked, const std::v
       int contact = 0;
       try {
         const SceneResult r = sequence.solve(scene);
-        status = r.result.converged ? "certified" : "not certified";
-        if (r.result.converged && exact[i].finer > 0)
+        status = r.result.certified() ? "certified" : "not certified";
+        if (r.result.certified() && exact[i].finer > 0)
           error = fmt::format("{:.3g}", error_of(r.result, exact[i]));
-        if (r.result.certificate.discretisation >= 0)
-          estimate = fmt::format("{:.3g}", r.result.certificate.discretisation);
+        if (r.result.trust.certificate.discretisation >= 0)
+          estimate = fmt::format("{:.3g}", r.result.trust.certificate.discretisation);
         elements = fmt::format("{:.4g},{:.4g}", r.problem.grid.dx, r.problem.grid.ds);
         contact = count_elements(r.result).contact;
       } catch (const Error&) {

@@ -39,7 +39,7 @@ void fit_grid(SceneFile& scene) {
   for (int round = 0; round < 4 && scene.kind == SceneKind::patch; ++round) {
     const SceneResult r = Sequence().solve(scene);
     const Extent contact = extent_of(r);
-    const double reserve = r.result.touches_border ? 1.4 : 1.25;
+    const double reserve = r.result.trust.touches_border ? 1.4 : 1.25;
     const auto fitted = [&](double length, int count, double element) {
       return std::max(0.3 * element, reserve * length / count);
     };
@@ -76,9 +76,9 @@ std::size_t opposite(const PatchSummary& patch, const ContactResult& fine) {
 }
 
 void print_case(std::size_t index, const SceneResult& base, const SceneResult& fine) {
-  const auto& estimate = base.result.discretisation;
+  const auto& estimate = base.result.trust.discretisation;
   print_line(index, estimate && !estimate->converges ? "unconverged" : "stated", estimate.has_value(), 0,
-             std::abs(largest_pressure(base.result) / largest_pressure(fine.result) - 1));
+             std::abs(base.result.totals.pmax / fine.result.totals.pmax - 1));
   for (const Quantity& number : quantities())
     if (number.error)
       print_line(index, number.name, number.value(base), number.error(base), number.value(fine));
@@ -104,8 +104,8 @@ void estimates(const SweepFile& sweep) {
       fit_grid(scene);
       const SceneResult base = base_cases.solve(scene);
       const SceneResult fine = fine_cases.solve(on_finer_grid(scene, base.problem.grid));
-      if (base.result.converged && fine.result.converged && !base.result.touches_border &&
-          !fine.result.touches_border)
+      if (base.result.certified() && fine.result.certified() && !base.result.trust.touches_border &&
+          !fine.result.trust.touches_border)
         print_case(i, base, fine);
       std::fflush(stdout);
     } catch (const Error& error) {

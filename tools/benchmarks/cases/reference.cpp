@@ -28,9 +28,10 @@ Reference reference_of(SceneFile scene, const SceneFile::Grid& grid, int finer) 
       scene.grid.dx = grid.dx / along_x;
       scene.grid.ds = grid.ds / finer;
       const ContactResult r = Sequence().solve(scene).result;
-      if (r.converged)
-        return {along_x, r.Fx, r.Fs, r.Fy, r.approach, r.Fz, scene.motion.friction};
-      reason = r.solver_note;
+      if (r.certified())
+        return {along_x,           r.totals.Fx, r.totals.Fs,          r.totals.Fy,
+                r.totals.approach, r.totals.Fz, scene.motion.friction};
+      reason = r.trust.solver_note;
     } catch (const Error& error) {
       reason = error.what();
     }
@@ -73,9 +74,9 @@ std::vector<Reference> references(const SweepFile& sweep, const SweepFile& by, i
 }
 
 double error_of(const ContactResult& r, const Reference& exact) {
-  return std::max({std::abs(r.approach / exact.approach - 1),
-                   std::hypot(r.Fx - exact.Fx, r.Fs - exact.Fs) / (exact.friction * exact.load),
-                   std::abs(r.Fy - exact.Fy) / exact.load});
+  return std::max({std::abs(r.totals.approach / exact.approach - 1),
+                   std::hypot(r.totals.Fx - exact.Fx, r.totals.Fs - exact.Fs) / (exact.friction * exact.load),
+                   std::abs(r.totals.Fy - exact.Fy) / exact.load});
 }
 
 } // namespace cases
