@@ -3,7 +3,8 @@
 #include "bem_contact/base/tuned.hpp"
 
 /// Tuned numbers of the room (bem_contact/base/tuned.hpp explains the form) and of its grid and check. Those
-/// of operator, normal, tangential and coupled stand in their own settings.hpp. "chosen" means that no
+/// of operator, normal, tangential and coupled stand in their own settings.hpp, those of stated errors in
+/// check/error_shares.hpp. "chosen" means that no
 /// measurement is on record; tools/benchmarks/sensitivity shows what each changes.
 namespace bem_contact::contact {
 
@@ -38,20 +39,6 @@ BEM_CONTACT_TUNED(double, companion_violation, 1e-4);
 /// contacts with 12 elements across (28 in the companion) the two agree by chance.
 BEM_CONTACT_TUNED(int, least_companion, 40);
 BEM_CONTACT_TUNED(int, least_companion_line, 7);
-
-// Stated errors of printed numbers: a share of the change from elements twice as large, and a local part.
-// They are fitted to random cases of tools/benchmarks/estimates: those of shear to 870 (seeds 1, 2, 6 and 7),
-// the others to 415 (1 and 2), so that about 96 in 100 true errors are
-// below the stated ones and the median of stated over true is least. Those of pmax and of shear were set anew
-// on 1200 (8 to 11), those of temperatures on 720 (1, 2, 6 to 9 and 12 to 17). shear_local, shear_deviation,
-// both of adhesion and those of creepages were set anew on 1357 by half-spaces (8, 9, 41 and
-// 51; 906 of them with free rolling), those of a prescribed Fs and normal_adhesion on 346 (111 to 141).
-// tools/BENCHMARKS.md, section 9, judges them on other cases.
-
-BEM_CONTACT_TUNED(double, pmax_change, 0.02);     ///< 1. Share of the change of pmax,
-BEM_CONTACT_TUNED(double, pmax_local, 0.092);     ///< 1. and of how far p_n falls beside its peak,
-BEM_CONTACT_TUNED(double, pmax_rough, 0.06);      ///< 1. and of the roughness of the gap, as a pressure.
-BEM_CONTACT_TUNED(double, adhesion_border, 1.05); ///< 1. and for the root of the border of adhesion.
 
 // Where no error is stated. On smooth profiles the first two stay below 0.15 and 0.2 and the third below 0.4;
 // with noise of 2 to 10 micrometres each case exceeds the second.

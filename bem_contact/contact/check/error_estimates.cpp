@@ -1,5 +1,6 @@
 #include "bem_contact/contact/check/error_estimates.hpp"
 
+#include "bem_contact/contact/check/error_shares.hpp"
 #include "bem_contact/contact/check/regions.hpp"
 #include "bem_contact/contact/grid/larger_elements.hpp"
 #include "bem_contact/contact/settings.hpp"
@@ -10,89 +11,6 @@
 
 namespace bem_contact::contact {
 namespace {
-
-/// 1. Share of the area of the elements on the border.
-constexpr double area_border = 0.16;
-/// 1. Share of the change of the adhesive share,
-constexpr double adhesion_change = 0.25;
-/// 1. elements whose state is in doubt anyway,
-constexpr double adhesion_local = 1.2;
-/// 1. Fx, Fs, Fy, Mz and those of patches are sums over elements. Their error is the sum of three parts. The
-/// first is this share of the change of the sum.
-constexpr double shear_change = 0.475;
-/// 1. The second is this share of the mean absolute value of an element: the border of the contact is known
-/// to a part of an element only.
-constexpr double shear_local = 0.85;
-/// 1. The second part is bounded. Compare the shear of each element with the share of the sum that its
-/// pressure would give it: the bound takes this many times the mean deviation in place of the mean absolute
-/// value.
-constexpr double shear_deviation = 6.0;
-/// 1. The third is this share of the root of the sum of squares over the elements in adhesion, because the
-/// errors of these elements are taken as independent.
-constexpr double shear_adhesion = 0.5;
-/// 1. The third part of Fx. It is smaller: the p_x that spin causes has opposite signs on both sides of the
-/// contact and cancels. In Fs spin leaves a difference of tractions, whose error is as large as theirs.
-constexpr double shear_adhesion_x = 0.3;
-/// 1. The errors of these sums grow with this power of Region::elongation(). On elements longer than wide, as
-/// scenes without [grid] have them, 88 to 94 % of 100 cases were within errors without it (seed 191).
-constexpr double shear_elongation = 0.75;
-/// 1. The same for the moment about the normal: with the power above 92 % of 100 cases were within.
-constexpr double moment_elongation = 0.95;
-/// 1. The third part of the normal force of a patch. Shear changes this force where normals turn within the
-/// contact.
-constexpr double normal_adhesion = 0.6;
-/// 1. The pressure changes it there too: by this share of what its sum exceeds its resultant by, divided by
-/// the number of elements in contact. Chosen on columns without friction: "one column" of
-/// tools/benchmarks/estimates, seeds 291, 301 and 311.
-constexpr double normal_bent = 0.15;
-/// 1. Fy has an error from the direction of the pressure too: this share of the pressure beside its mean
-/// direction, divided by the number of elements in contact. The border of the contact is known to a part of
-/// an element only.
-constexpr double direction_local = 0.5;
-/// 1. The local part of Mz is this share of the same formula: moments have smaller errors than forces.
-constexpr double moment_share = 0.87;
-/// 1. Share of the change of the highest temperature,
-constexpr double temperature_change = 0.17;
-/// 1. of how far it falls beside its peak,
-constexpr double temperature_peak = 0.11;
-/// 1. and of its rise over the elements in contact.
-constexpr double temperature_local = 0.17;
-/// 1. Share of the change of the approach,
-constexpr double approach_change = 0.2;
-/// 1. of it over the elements in contact,
-constexpr double approach_local = 0.3;
-/// 1. and of it times the relative fall beside the peak.
-constexpr double approach_peak = 0.018;
-/// 1. Approach of a patch: the same.
-constexpr double overlap_change = 0.11;
-/// 1. As above.
-constexpr double overlap_local = 0.9;
-/// 1. As above.
-constexpr double overlap_peak = 0.034;
-/// 1. The error of a creepage that is found is the sum of three parts. The first is this share of its change.
-constexpr double creepage_change = 0.36;
-/// 1. The second is this share of the force that larger elements carry elsewhere, times the creepage per unit
-/// of force.
-constexpr double creepage_moved = 0.058;
-/// 1. The third is this share of the force of the elements in adhesion, divided by the root of their number,
-/// times the creepage per unit of force.
-constexpr double creepage_adhesion = 0.2;
-/// 1. The creepage of a prescribed Fs has this share of all three,
-constexpr double creepage_s_share = 0.82;
-/// 1. and this share of the change of the rigid slip w_s from one element to the next. The front of the
-/// contact is known to a part of an element only, and under spin another place has another w_s.
-constexpr double creepage_turn = 0.088;
-/// 1. Of pmax_local.
-constexpr double line_pmax_local = 0.22;
-/// 1. Of area_border. Each of the two ends may be off by half an element, and they do not cancel.
-constexpr double line_border = 0.62;
-/// 1. Local parts of sums of shear count this share: each row of a wider contact has a border of its own.
-constexpr double line_shear = 0.34;
-/// 1. The same of those of the adhesive share.
-constexpr double line_adhesion = 0.42;
-/// 1. Of approach_peak and overlap_peak. The parts that count elements vanish: they were 300 times the error.
-constexpr double line_approach_peak = 0.034;
-constexpr double line_overlap_peak = 0.062;
 
 constexpr double rounding = 1e-9; ///< 1. A smaller relative error is one of rounding.
 
@@ -139,21 +57,20 @@ bool converges(const Region& fine, const Region& coarse, double roughness) {
 
 /// `roughness`: as converges() takes it, MPa.
 double pmax_error(const Region& r, const Region& coarse, double roughness) {
-  return pmax_change * std::abs(r.pmax - coarse.pmax) +
-         (r.line ? line_pmax_local : pmax_local) * r.curvature + pmax_rough * roughness;
+  const ErrorShares& share = shares::pmax.of(r.line);
+  return share.change * std::abs(r.pmax - coarse.pmax) + share.peak * r.curvature + pmax_rough * roughness;
 }
 
 double area_error(const Region& r) {
-  return (r.line ? line_border : area_border) * r.area * r.border / r.contact;
+  return shares::area.of(r.line).local * r.area * r.border / r.contact;
 }
 
 /// The local part of the error of a sum of shear tractions. It is there even if larger elements give the same
-/// sum, because the two may agree by chance. `adhesion` is the factor of the part that comes from the
-/// elements in adhesion.
-double local_error(const UncertainSum& sum, const Region& r, double adhesion = shear_adhesion) {
-  const double local = shear_local * std::min(sum.size, shear_deviation * sum.deviation) / r.contact +
-                       adhesion * std::sqrt(sum.adhering);
-  return r.line ? line_shear * local : local;
+/// sum, because the two may agree by chance.
+double local_error(const UncertainSum& sum, const Region& r, const GridShares& shares) {
+  const ErrorShares& share = shares.of(r.line);
+  return share.local * std::min(sum.size, shear_deviation * sum.deviation) / r.contact +
+         share.adhesion * std::sqrt(sum.adhering);
 }
 
 /// By how much larger errors of such sums are on elements longer than wide.
@@ -163,20 +80,14 @@ double growth(const Region& r, double power = shear_elongation) {
 
 /// The error of such a sum. `change` is its difference from the coarse result.
 double shear_error(double change, const UncertainSum& sum, const Region& r,
-                   double adhesion = shear_adhesion) {
-  return growth(r) * (shear_change * std::abs(change) + local_error(sum, r, adhesion));
+                   const GridShares& shares = shares::shear) {
+  return growth(r) * (shares.of(r.line).change * std::abs(change) + local_error(sum, r, shares));
 }
 
-/// The local part of the error of an approach, relative to the approach.
-double local_approach(const Region& r) {
-  return r.line ? line_approach_peak * r.relative_fall()
-                : approach_local / r.contact + approach_peak * r.relative_fall();
-}
-
-/// The same of a patch, which is approach - gap where the bodies overlap most.
-double local_overlap(const Region& r) {
-  return r.line ? line_overlap_peak * r.relative_fall()
-                : overlap_local / r.contact + overlap_peak * r.relative_fall();
+/// The local part of the error of an approach, or of a patch's overlap, relative to it.
+double local_approach(const Region& r, const GridShares& shares = shares::approach) {
+  const ErrorShares& share = shares.of(r.line);
+  return share.local / r.contact + share.peak * r.relative_fall();
 }
 
 /// The local part of the error of the normal force at a given approach, N. Hertz's force grows as
@@ -190,24 +101,25 @@ double local_normal_force(const Region& r) {
 double power_error(const Region& fine, const Region& coarse) {
   return std::abs(fine.driving_power.total - fine.T_gamma) +
          shear_error(fine.driving_power.total - coarse.driving_power.total, fine.driving_power, fine,
-                     shear_adhesion_x);
+                     shares::shear_x);
 }
 
 /// Of what friction does in a patch.
 void estimate_patch_shear(const Region& fine, const Region& coarse, PatchSummary& out) {
-  out.fx.error = shear_error(fine.fx.total - coarse.fx.total, fine.fx, fine, shear_adhesion_x);
+  out.fx.error = shear_error(fine.fx.total - coarse.fx.total, fine.fx, fine, shares::shear_x);
   out.fs.error = shear_error(fine.fs.total - coarse.fs.total, fine.fs, fine);
   out.moment_n.error =
-      growth(fine, moment_elongation) * (shear_change * std::abs(fine.moment.total - coarse.moment.total) +
-                                         moment_share * local_error(fine.moment, fine));
+      growth(fine, moment_elongation) *
+      (shares::patch_moment.of(fine.line).change * std::abs(fine.moment.total - coarse.moment.total) +
+       local_error(fine.moment, fine, shares::patch_moment));
   out.T_gamma.error = power_error(fine, coarse);
 }
 
 void estimate_patch(const Region& fine, const Region& coarse, double roughness, PatchSummary& out) {
   out.pmax.error = pmax_error(fine, coarse, roughness);
   out.area.error = area_error(fine);
-  out.overlap.error =
-      overlap_change * std::abs(fine.overlap - coarse.overlap) + fine.overlap * local_overlap(fine);
+  out.overlap.error = shares::overlap.of(fine.line).change * std::abs(fine.overlap - coarse.overlap) +
+                      fine.overlap * local_approach(fine, shares::overlap);
   estimate_patch_shear(fine, coarse, out);
 }
 
@@ -216,7 +128,7 @@ void estimate_patch(const Region& fine, const Region& coarse, double roughness, 
 double normal_error(const Region& fine, const Region& coarse, const ShearEffects& effects, double fs,
                     const Region& contact) {
   const double change = fine.fn - coarse.fn + effects.slope * (fine.fs.total - coarse.fs.total);
-  return std::hypot(effects.slope * fs, shear_error(change, effects.fn, contact, normal_adhesion)) +
+  return std::hypot(effects.slope * fs, shear_error(change, effects.fn, contact, shares::normal)) +
          normal_bent * effects.bent / contact.contact;
 }
 
@@ -225,8 +137,8 @@ double normal_error(const Region& fine, const Region& coarse, const ShearEffects
 double lateral_error(const ContactProblem& problem, double change, const ShearEffects& effects,
                      const Region& contact) {
   const bool prescribed = problem.load == LoadKind::force && problem.force_s;
-  const double shear =
-      prescribed ? shear_change * std::abs(change) : shear_error(change, effects.fy, contact);
+  const double shear = prescribed ? shares::shear.of(contact.line).change * std::abs(change)
+                                  : shear_error(change, effects.fy, contact);
   return shear + direction_local * effects.turned / contact.contact;
 }
 
@@ -304,22 +216,23 @@ void estimate_creepages(const ContactProblem& problem, const ContactResult& resu
                         const ContactGrid& coarse_grid, const ContactResult& coarse, const Region& fine,
                         ContactTotals& totals) {
   const LargerElements larger(problem.grid, result.pn);
-  const auto error = [&](double change, double compliance, double moved, double adhering) {
+  const auto error = [&](const ErrorShares& share, double change, double compliance, double moved,
+                         double adhering) {
     if (!std::isfinite(compliance))
       compliance = strain_per_force(problem, fine);
-    return creepage_change * std::abs(change) +
-           std::abs(compliance) * (creepage_moved * moved + creepage_adhesion * adhering);
+    return share.change * std::abs(change) +
+           std::abs(compliance) * (share.local * moved + share.adhesion * adhering);
   };
+  const ContactTotals &now = result.totals, &was = coarse.totals;
   if (problem.force_x)
     totals.creepage_x.error =
-        error(result.totals.creepage_x - coarse.totals.creepage_x, result.totals.compliance_x,
+        error(shares::creepage_x, now.creepage_x - was.creepage_x, now.compliance_x,
               moved_force(larger, result.px, coarse.px, coarse_grid), fine.fx.adhering_alike);
   if (problem.force_s) // spin's tractions cancel in the sum, and not in what the elements are off by
-    totals.creepage_s.error = creepage_s_share * error(result.totals.creepage_s - coarse.totals.creepage_s,
-                                                       result.totals.compliance_s,
-                                                       moved_force(larger, result.ps, coarse.ps, coarse_grid),
-                                                       std::sqrt(fine.fs.adhering)) +
-                              creepage_turn * turn_of_slip(problem, result);
+    totals.creepage_s.error =
+        error(shares::creepage_s, now.creepage_s - was.creepage_s, now.compliance_s,
+              moved_force(larger, result.ps, coarse.ps, coarse_grid), std::sqrt(fine.fs.adhering)) +
+        creepage_turn * turn_of_slip(problem, result);
 }
 
 /// Sets what needs friction, but for creepages: shear forces, adhesion, power.
@@ -327,12 +240,12 @@ void estimate_shear(const ContactProblem& problem, const ContactResult& result, 
                     const std::pair<Region, Region>& regions, ContactTotals& totals) {
   const auto& [fine, rough] = regions;
   totals.Fx.error =
-      problem.force_x ? 0 : shear_error(result.totals.Fx - coarse.totals.Fx, fine.fx, fine, shear_adhesion_x);
+      problem.force_x ? 0 : shear_error(result.totals.Fx - coarse.totals.Fx, fine.fx, fine, shares::shear_x);
   totals.Fs.error = problem.force_s ? 0 : shear_error(result.totals.Fs - coarse.totals.Fs, fine.fs, fine);
+  const ErrorShares& share = shares::adhesion_share.of(fine.line);
   totals.adhesion_share.error =
-      adhesion_change * std::abs(fine.adhesion_share() - rough.adhesion_share()) +
-      (fine.line ? line_adhesion : 1.0) *
-          (adhesion_local + adhesion_border * std::sqrt(double(fine.adhesion_border))) / fine.contact;
+      share.change * std::abs(fine.adhesion_share() - rough.adhesion_share()) +
+      (share.local + share.adhesion * std::sqrt(double(fine.adhesion_border))) / fine.contact;
   totals.T_gamma.error = power_error(fine, rough);
 }
 
@@ -344,8 +257,9 @@ double temperature_error(const ContactGrid& grid, const std::vector<double>& fin
     return at > 0 && at + 1 < count ? std::abs(2 * fine[i] - fine[i - step] - fine[i + step]) : 0.0;
   };
   const double beside = curvature(1, i % grid.mx, grid.mx) + curvature(grid.mx, i / grid.mx, grid.ms);
-  return temperature_change * std::abs(fine[i] - std::ranges::max(coarse)) + temperature_peak * beside +
-         temperature_local * (fine[i] - bulk) / contact;
+  const ErrorShares& share = shares::temperature;
+  return share.change * std::abs(fine[i] - std::ranges::max(coarse)) + share.peak * beside +
+         share.local * (fine[i] - bulk) / contact;
 }
 
 } // namespace
@@ -393,16 +307,17 @@ void estimate_errors(const ContactProblem& problem, const ContactProblem& coarse
     totals.Tmax_wheel.error = error(&SurfaceTemperatures::wheel, problem.heating->wheel);
   }
   const bool force = problem.load == LoadKind::force;
-  totals.approach.error = force ? approach_change * std::abs(totals.approach - coarse.totals.approach) +
-                                      fine.overlap * local_approach(fine)
-                                : 0;
+  totals.approach.error =
+      force ? shares::approach.of(fine.line).change * std::abs(totals.approach - coarse.totals.approach) +
+                  fine.overlap * local_approach(fine)
+            : 0;
   const ShearEffects effects = effects_of_shear(problem, result);
   totals.Fy.error = lateral_error(problem, totals.Fy - coarse.totals.Fy, effects, fine);
   totals.Fz.error =
       force ? 0 : shear_error(totals.Fz - coarse.totals.Fz, effects.fz, fine) + local_normal_force(fine);
-  const double moment = growth(fine, moment_elongation) * moment_share;
-  estimate.moment_change = moment * shear_change;
-  estimate.local_moment = moment * local_error(fine.moment, fine);
+  const double longer = growth(fine, moment_elongation);
+  estimate.moment_change = longer * shares::moment.of(fine.line).change;
+  estimate.local_moment = longer * local_error(fine.moment, fine, shares::moment);
   estimate_patches(problem, patches, rough_patches, effects, fine, roughness, result.patches);
   estimate_track_forces(result);
 }
