@@ -338,8 +338,7 @@ PYBIND11_MODULE(_core, m) {
   add_table(m);
   add_wear_functions(m);
   m.def("report", &report::write_report, "file"_a, "output"_a, py::call_guard<OthersMayRun>(),
-        "Writes one HTML page of a result, a comparison, a sweep, creep curves, conicity, a wheelset or wear "
-        "(HDF5): the scene in "
+        "Writes one HTML page of what a command wrote, or of an influence file (HDF5): the scene in "
         "words, numbers with errors, certificate, figures. It needs no network. Raises InputError for other "
         "files, and where `output` is `file` or cannot be written.");
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_all_solutions));

@@ -190,3 +190,103 @@ const profilesFigure = (profiles, what) => {
                    yaxis: heights ? {title: "z down, mm", autorange: "reversed", scaleanchor: "x"}
                                   : {title: "curvature, 1/mm", range: [-most, most]}}};
 };
+
+/// Patches in the shakedown diagram: the largest pressure over the yield stress in shear, and the friction that is used.
+const shakedownFigure = ({patches: p}) => {
+  const mu = Array.from({length: 60}, (_, k) => 0.01 * (k + 1)), load = p.p0_over_k.values, top = 1.15 * Math.max(6, ...load);
+  return {height: 380, traces: [
+    {type: "scatter", mode: "lines", x: mu, y: mu.map(m => Math.min(1 / m, top)), name: "limit of the surface, 1/μ", line: {color: BOUND, width: 1.5, dash: "dot"}},
+    {type: "scatter", mode: "markers", x: p.mu_used.values, y: p.p0_over_k_limit.values, name: "limit below the surface, of each patch",
+     marker: {symbol: "line-ew", size: 12, line: {color: INK, width: 1.5}}},
+    {type: "scatter", mode: "markers", x: p.mu_used.values, y: load, name: "patches", text: load.map((_, k) => `case ${p.case.values[k]}`),
+     marker: {color: RAIL, size: 9, line: {color: INK, width: 1}}}],
+    layout: {xaxis: {title: "μ used: shear force over normal force", range: [0, 0.62]}, yaxis: {title: "p0 / k", range: [0, top]}, legend: ABOVE}};
+};
+
+/// A column of a table over another one, as marks.
+const marksFigure = (table, x, y, colour) => ({
+  height: 300, traces: [{type: "scatter", mode: "markers", x: table[x].values, y: table[y].values, marker: {color: colour, size: 8, line: {color: INK, width: 1}}}],
+  layout: {xaxis: {title: titled(x, table[x])}, yaxis: {title: titled(y, table[y]), rangemode: "tozero"}, showlegend: false}});
+
+/// Conicities over the gauge, a line each pair; at one gauge over the wheels, a mark each rail. Bars: the scatter of the profiles.
+const mapFigure = data => {
+  const {map} = data, [wheels, rails] = ["wheels", "rails"].map(name => linesOf(data[name]).map(shortName));
+  const over = new Set(map.gauge.values).size > 1, groups = new Map();
+  map.gauge.values.forEach((_, i) => {
+    const name = over ? `${wheels[map.wheel.values[i]]} on ${rails[map.rail.values[i]]}` : `on ${rails[map.rail.values[i]]}`;
+    groups.set(name, [...(groups.get(name) ?? []), i]);
+  });
+  const marks = ["circle", "square", "diamond", "cross", "triangle-up", "x", "star", "hexagon"], dashes = ["solid", "dash", "dot", "dashdot"];
+  const traces = [...groups].map(([name, entries], k) => lineOver(
+    entries.map(i => over ? map.gauge.values[i] : wheels[map.wheel.values[i]]), entries.map(i => map.tan_gamma.values[i]), name,
+    {colour: [INK, RAIL, WHEEL][k % 3], dash: dashes[k % 4], mark: marks[k % 8]}, map.tan_gamma_spread && entries.map(i => map.tan_gamma_spread.values[i])));
+  for (const trace of over ? [] : traces)
+    trace.mode = "markers";
+  return {traces, height: 380, layout: {xaxis: {title: over ? "track gauge, mm" : "wheel"}, yaxis: {title: "tan γ", rangemode: "tozero"},
+                                        showlegend: traces.length <= 12, legend: ABOVE}};
+};
+
+/// The largest interpolation error of each column of a table of forces, over its scale.
+const tableErrorFigure = data => {
+  const names = Object.keys(data.interpolation_error).filter(name => name !== "attributes").reverse(), goal = 100 * valueOf(data, "tolerance");
+  const held = new Set((data.attributes.held ?? "").split(" "));
+  const percent = names.map(name => 100 * valueOf(data.interpolation_error, name) / valueOf(data.scale, name));
+  return {height: 120 + 26 * names.length, traces: [
+    {type: "bar", orientation: "h", y: names.map(words), x: percent, name: "largest interpolation error",
+     marker: {color: names.map(name => held.has(name) ? RAIL : "#ffffff"), line: {color: RAIL, width: 1.5}}},
+    {type: "scatter", mode: "lines", x: [goal, goal], y: [words(names[0]), words(names.at(-1))], name: `goal ${goal} %`, line: {color: BOUND, width: 1.5, dash: "dot"}}],
+    layout: {xaxis: {title: "% of the column's scale"}, yaxis: {title: ""}, legend: ABOVE}};
+};
+
+/// A column over the first axis of a table, a line for up to four points of the second one, the other axes at their middle points.
+const tableFigure = (data, column) => {
+  const values = data.values[column], names = data.attributes.axis_names.split(" "), {shape} = values;
+  if (shape.length !== names.length)
+    return undefined; // nested axes
+  const axes = names.map(name => data.axes[name]), second = shape.length > 1 ? shape[1] : 1;
+  const shown = [...new Set([0, 1, 2, 3].map(k => Math.round(k * (second - 1) / 3)))], middle = shape.map(n => Math.floor(n / 2));
+  const at = place => values.values[place.reduce((sum, k, axis) => sum * shape[axis] + k, 0)];
+  const said = (axis, k) => `${words(names[axis])} ${number(axes[axis].values[k])} ${unitText(axes[axis].unit.replace(/^1$/, ""))}`.trim();
+  const rest = names.map((_, axis) => axis).slice(2).map(axis => said(axis, middle[axis])).join(", ");
+  const dashes = ["solid", "dash", "dashdot", "dot"], marks = ["circle", "square", "diamond", "triangle-up"];
+  return {rest, height: 340, traces: shown.map((k, line) => lineOver(
+    axes[0].values, axes[0].values.map((_, i) => at([i, k, ...middle.slice(2)].slice(0, shape.length))), shape.length > 1 ? said(1, k) : words(column),
+    {colour: FORCES[column]?.colour ?? INK, dash: dashes[line], mark: marks[line]})),
+    layout: {xaxis: {title: titled(names[0], axes[0])}, yaxis: {title: titled(column, values)}, showlegend: shape.length > 1, legend: ABOVE}};
+};
+
+/// What one contact wears off rail and wheel, over the rail's profile.
+const wornRowsFigure = rows => ({
+  height: 320, traces: [["wheel_depth_per_km", WHEEL, "dash", "square"], ["rail_depth_per_million_axles", RAIL, "solid", "circle"]].map(([name, colour, dash, mark]) => ({...lineOver(rows.s.values, rows[name].values, titled(name, rows[name]), {colour, dash, mark}),
+                                           yaxis: name.startsWith("wheel") ? "y" : "y2"})),
+  layout: {xaxis: {title: "s along the rail, mm"}, yaxis: {title: "wheel, mm by km", rangemode: "tozero"}, legend: ABOVE, margin: {r: 70},
+           yaxis2: {title: "rail, mm by a million axles", overlaying: "y", side: "right", showgrid: false, rangemode: "tozero"}}});
+
+/// The strip of an influence file in its section.
+const stripFigure = (stations, colour) => ({
+  height: 360, traces: [{type: "scatter", mode: "lines+markers", x: stations.map(p => p[1]), y: stations.map(p => p[2]), text: stations.map(p => `s ${p[0].toFixed(2)} mm`),
+                         line: {color: colour, width: 2}, marker: {color: colour, size: 5}}],
+  layout: {xaxis: {title: "y, mm"}, yaxis: {title: "z down, mm", autorange: "reversed", scaleanchor: "x"}, showlegend: false}});
+
+/// The smallest scaled Jacobian of each quadrilateral: the sine of a corner's angle, the worst corner.
+const jacobiansOf = (points, quads) => quads.map(quad => {
+  const sines = quad.map((at, k) => {
+    const [y, z] = points[at], side = to => [points[to][0] - y, points[to][1] - z], [a, b] = [side(quad[(k + 1) % 4]), side(quad[(k + 3) % 4])];
+    return (a[0] * b[1] - a[1] * b[0]) / (Math.hypot(...a) * Math.hypot(...b));
+  });
+  return Math.sign(sines.reduce((sum, sine) => sum + sine, 0)) > 0 ? Math.min(...sines) : -Math.max(...sines);
+});
+
+/// A meshed section: elements in thin lines, the strip and the held part in bold ones. `near`: the strip alone.
+const meshFigure = (data, near) => {
+  const points = rows(data.points), lines = groups => ({x: groups.flatMap(g => [...g.map(k => points[k][0]), null]), y: groups.flatMap(g => [...g.map(k => points[k][1]), null])});
+  const style = {contact: [PRESSURE[1][1], "strip: unit tractions act here"], held: [ADHESION, "held: no displacement"]};
+  const traces = [{type: "scatter", mode: "lines", ...lines(rows(data.quads).map(q => [...q, q[0]])), name: "elements", line: {color: RAIL_FACE, width: 0.7}, hoverinfo: "skip"}];
+  for (const [name, [color, title]] of Object.entries(style))
+    if (data.edges[name])
+      traces.push({type: "scatter", mode: "lines", ...lines(rows(data.edges[name])), name: title, line: {color, width: 3.5}});
+  const strip = near && data.edges.contact ? rows(data.edges.contact).flat().map(k => points[k]) : points;
+  const range = k => [Math.min(...strip.map(p => p[k])) - 3, Math.max(...strip.map(p => p[k])) + 3];
+  return {traces, height: 520, layout: {xaxis: {title: "y, mm", range: range(0), constrain: "domain"}, legend: ABOVE,
+                                        yaxis: {title: "z down, mm", range: range(1).reverse(), scaleanchor: "x", constrain: "domain"}}};
+};

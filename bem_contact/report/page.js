@@ -219,6 +219,95 @@ const addProfile = () => {
   addFigure("curvature", "Curvature: above 0 convex, below concave.", profilesFigure(data.profiles, "curvature"));
 };
 
+/// Some columns of a table, a line each row.
+const addColumns = (table, names, caption, id, more = {}) => {
+  const there = names.filter(name => table[name]);
+  addTable(caption, there.map(name => withUnit(name.replaceAll("_", " "), table[name])), table[there[0]].values.map((_, i) =>
+    there.map(name => more[name]?.(i) ?? number(table[name].values[i], table[`${name}_error`]?.values[i]))), {id, wide: there.length > 6});
+};
+
+const known = values => values.filter(value => value !== null);
+const largestOf = values => known(values).length ? Math.max(...known(values)) : null;
+/// [name, words, text] of the largest number of a column.
+const largest = (table, name, title) => [name, title, `${number(largestOf(table[name].values))} ${unitText(table[name].unit.replace(/^1$/, ""))}`];
+
+const addFatigue = () => {
+  const p = data.patches, one = name => valueOf(data, name), count = p.p0_over_k.values.length;
+  add("p", `${count} patches in ${one("cases")} cases: ${one("beyond_surface_limit")} beyond the shakedown limit of the surface, ` +
+      `${one("beyond_limit_below")} others beyond that below it. One passage does a damage of ${number(one("damage"))} in the mean; a crack begins at 1.`,
+      page, {id: `${idPrefix}fatigue-words`});
+  addLarge([["damage", words("damage"), number(one("damage"))], largest(p, "p0_over_k", "largest p0 / k"), largest(p, "mu_used", "most friction used"),
+            largest(p, "FI_surf", "largest FI_surf"), largest(p, "von_mises", words("von_mises")), largest(p, "T_gamma", "largest T-gamma")]);
+  addFigure("shakedown", `Shakedown diagram, k = ${number(one("yield_shear"))} MPa. Above a limit the steel flows with every passage.`, shakedownFigure(data));
+  addFigure("stress-depth", "Where the largest stress of each patch's case lies below the surface.", marksFigure(p, "von_mises_depth", "von_mises", RAIL));
+  addColumns(p, ["case", "patch", "weight", "s", "Fn", "pmax", "p0_over_k", "p0_over_k_limit", "mu_used", "FI_surf", "T_gamma", "damage", "von_mises", "von_mises_depth"],
+             "Patches", "fatigue-patches");
+};
+
+const addConicityMap = () => {
+  const {map} = data, names = ["wheels", "rails"].map(name => linesOf(data[name]).map(shortName)), tan = known(map.tan_gamma.values);
+  addLarge([["pairs", "wheelsets", String(map.gauge.values.length)], ["least", "least tan γ", number(tan.length ? Math.min(...tan) : null)], largest(map, "tan_gamma", "largest tan γ"),
+            ["play", "least play", `${number(known(map.play.values).length ? Math.min(...known(map.play.values)) : null)} mm`], largest(map, "nonlinearity", "largest nonlinearity"),
+            map.tan_gamma_spread ? largest(map, "tan_gamma_spread", "largest spread of tan γ") : largest(map, "rail_travel", "largest travel on the rail")]);
+  addFigure("map", "Equivalent conicity" + (map.tan_gamma_spread ? "; bars: its standard deviation by the scatter of the profiles" : "") + ".", mapFigure(data));
+  addColumns(map, ["wheel", "rail", "gauge", "tan_gamma", "tan_gamma_mean", "tan_gamma_spread", "wavelength", "play", "rated_amplitude", "nonlinearity", "rail_travel", "wheel_travel"],
+             "All wheelsets; – where no motion has this amplitude", "map-entries",
+             {wheel: i => names[0][map.wheel.values[i]], rail: i => names[1][map.rail.values[i]]});
+};
+
+const addForceTable = () => {
+  const names = Object.keys(data.values).filter(name => name !== "attributes"), share = name => 100 * valueOf(data.interpolation_error, name) / valueOf(data.scale, name);
+  const held = (data.attributes.held ?? "").split(" ").filter(name => names.includes(name)), worst = Math.max(...held.map(share)), goal = 100 * valueOf(data, "tolerance");
+  add("p", `A table of forces to look up: ${valueOf(data, "points")} points over ${data.attributes.axis_names.split(" ").map(words).join(", ")}. ` +
+      `Between them it is at most ${number(Number(worst.toPrecision(2)))} % of a column's scale off a solution; ${number(goal)} % were asked for.`, page, {id: `${idPrefix}table-words`});
+  addLarge([["points", "points", number(valueOf(data, "points"))], ["solved", "contact problems", number(valueOf(data, "solved"))], ["checked", "of them to measure the error", number(valueOf(data, "checked"))],
+            ["worst", "largest error", `${number(Number(worst.toPrecision(2)))} %`], ["goal", "asked for", `${number(goal)} %`], ["axes", "axes", String(data.attributes.axis_names.split(" ").length)]]);
+  addFigure("table-errors", "Largest interpolation error of each column; filled bars are held to the goal.", tableErrorFigure(data));
+  for (const name of ["Fx", "Fy", "pmax"].filter(name => data.values[name])) {
+    const figure = tableFigure(data, name);
+    addFigure(`table-${name}`, `${words(name)[0].toUpperCase()}${words(name).slice(1)} in the table${figure?.rest ? `, at ${figure.rest}` : ""}.`, figure);
+  }
+  addTable("Columns", ["column", "interpolation", "by elements", "scale", "unit", ""], names.map(name =>
+    [words(name), ...["interpolation_error", "element_error", "scale"].map(of => number(valueOf(data[of], name))), unitText(data.values[name].unit), data.values[name].description]),
+    {numbers: [1, 2, 3], id: "table-columns"});
+  addTable("Axes", ["axis", "points", "from", "to", "unit"], data.attributes.axis_names.split(" ").map(name => {
+    const axis = data.axes[name];
+    return [words(name), String(axis.values.length), number(Math.min(...axis.values)), number(Math.max(...axis.values)), unitText(axis.unit)];
+  }), {numbers: [1, 2, 3], id: "table-axes"});
+};
+
+const addContactWear = () => {
+  for (const [name, one] of data.rows ? [["", data]] : ["right", "left"].filter(side => data[side]).map(side => [side, data[side]])) {
+    if (name)
+      add("h2", titleOf(name));
+    const there = Object.keys(one).filter(key => one[key].values?.length === 1), main = ["T_gamma", "wheel_depth_per_km", "wheel_area_per_km", "rail_depth_per_mgt", "rail_area_per_mgt", "axle_load"];
+    addLarge(main.filter(key => there.includes(key)).map(key => [`${key}${name && `-${name}`}`, words(key).replaceAll("_", " "), `${number(one[key].values[0])} ${unitText(one[key].unit)}`]));
+    addFigure(`worn-rows${name && `-${name}`}`, "What is worn off along the profile: wheel (left scale) and rail (right scale).", wornRowsFigure(one.rows));
+    addTable("Numbers", ["", "value", "unit", ""], there.map(key => [words(key).replaceAll("_", " "), number(one[key].values[0]), unitText(one[key].unit), one[key].description]),
+             {numbers: [1], id: `rates${name && `-${name}`}`});
+  }
+};
+
+const addInfluenceFile = () => {
+  const a = data.attributes, stations = rows(data.stations), error = a.estimated_error;
+  addLarge([["stations", "stations", String(stations.length)], ["width", "width of one", `${number(a.station_width)} mm`], ["from", "strip from s", `${number(stations[0][0] - a.station_width / 2)} mm`],
+            ["to", "to", `${number(stations.at(-1)[0] + a.station_width / 2)} mm`], ["modulus", "shear modulus", `${number(a.shear_modulus)} MPa`],
+            ["error", "estimated error", error >= 0 ? `${number(Number((100 * error).toPrecision(2)))} %` : "not estimated"]]);
+  addFigure("strip", "The strip of the surface for which it serves, in the section of the body.", stripFigure(stations, a.invariance === "prismatic" ? RAIL : WHEEL));
+  addTable("What the file says", ["", ""], ["body", "profile", "held", "method", "invariance", "reference_radius", "half_period", "poisson", "betti_error", "reaction_error"].filter(name => name in a)
+    .map(name => [name.replaceAll("_", " "), typeof a[name] === "number" ? number(a[name]) : a[name]]), {numbers: [], id: "influence-attributes"});
+};
+
+const GOOD_JACOBIAN = 0.3, USABLE_JACOBIAN = 0.1; // as bem_contact plot says it
+const addMesh = () => {
+  const points = rows(data.points), quads = rows(data.quads), worst = Math.min(...jacobiansOf(points, quads)), size = k => Math.max(...points.map(p => p[k])) - Math.min(...points.map(p => p[k]));
+  const edges = name => data.edges[name] ? String(data.edges[name].shape[0]) : "0";
+  addLarge([["quads", "quadrilaterals", String(quads.length)], ["worst", "worst scaled Jacobian", worst.toFixed(2)], ["strip", "edges on the strip", edges("contact")],
+            ["held", "edges that are held", edges("held")], ["wide", "width", `${number(Number(size(0).toPrecision(4)))} mm`], ["high", "height", `${number(Number(size(1).toPrecision(4)))} mm`]]);
+  addFigure("mesh", "The section and its elements.", meshFigure(data, false));
+  addFigure("mesh-strip", "The elements at the strip.", meshFigure(data, true));
+};
+
 /// Tables of numbers that the file has, as [name, lines of cells]: single numbers of a group, or columns of one length.
 const tablesIn = (group, name = "") => {
   const entries = Object.entries(group).filter(([key]) => key !== "attributes"), out = [];
@@ -240,7 +329,7 @@ const tablesIn = (group, name = "") => {
 const addDownloads = () => {
   const row = add("details", "", page, {className: "screen-only", id: "downloads"}), known = new Set();
   add("summary", "Numbers as CSV", row);
-  for (const [name, lines] of report.kind === "profile" ? [] : tablesIn(data)) {
+  for (const [name, lines] of ["profile", "mesh"].includes(report.kind) ? [] : tablesIn(data)) {
     let file = name;
     for (let k = 2; known.has(file); ++k)
       file = `${name}_${k}`;
@@ -260,9 +349,8 @@ const addScene = () => {
 };
 
 const TITLE_OF = {result: "Contact of wheel and rail", comparison: "Comparison of models", sweep: "Sweep", "creep curves": "Creep curves",
-                  conicity: "Conicity", wheelset: "Wheelset", wear: "Wear", profile: "Profile", study: "Study"};
-
-const linesOf = texts => texts.text.split("\n");
+                  conicity: "Conicity", wheelset: "Wheelset", wear: "Wear", profile: "Profile", study: "Study", fatigue: "Fatigue", table: "Table of forces",
+                  "conicity map": "Conicities", "wear of one contact": "Wear", "influence file": "Influence functions", mesh: "Mesh of a body"};
 
 const partsOf = study => Object.entries(study.parts).sort(([, a], [, b]) => a.study_order.values[0] - b.study_order.values[0]);
 
@@ -292,22 +380,38 @@ const addStudy = () => {
       add("p", part.study_errors.text);
     if (of) {
       [data, report.kind, idPrefix] = [part, of, `${name}-`];
-      add("p", sceneInWords().join(" "));
+      add("p", inWords());
       ADDED[of]();
-    } else if (part.attributes.format)
-      add("p", `Its tables are in ${name}*.csv and study.h5.`);
+    }
   }
   [data, report.kind, idPrefix] = [study, "study", ""];
 };
 
 const ADDED = {result: addResult, comparison: addComparison, sweep: addSweep, "creep curves": addCreepCurves, conicity: addConicity, wheelset: addWheelset,
-               wear: addWear, profile: addProfile, study: addStudy};
+               wear: addWear, profile: addProfile, study: addStudy, fatigue: addFatigue, "conicity map": addConicityMap, table: addForceTable,
+               "wear of one contact": addContactWear, "influence file": addInfluenceFile, mesh: addMesh};
+
+/// What a page says before its numbers.
+const inWords = () => {
+  if (report.kind === "conicity map")
+    return `Rigid wheelsets with ${linesOf(data.wheels).length} profiles of wheels on ${linesOf(data.rails).length} of rails. The equivalent conicity (EN 15302) is the slope ` +
+           `of the cone with the same wavelength, for an amplitude of ${number(valueOf(data, "amplitude"))} mm.` + (!data.noise ? "" :
+           ` The points of the profiles scatter by ${number(valueOf(data, "noise"))} mm in ${valueOf(data, "all_draws")} draws.`);
+  if (report.kind === "influence file")
+    return `How the surface of ${data.attributes.body} moves under unit tractions on its strip, computed by finite elements (${data.attributes.method}).`;
+  if (report.kind === "mesh") {
+    const worst = Math.min(...jacobiansOf(rows(data.points), rows(data.quads)));
+    return `A section in ${data.quads.shape[0]} quadrilaterals. Their quality is ${worst >= GOOD_JACOBIAN ? "good" : worst >= USABLE_JACOBIAN ? "usable" : "poor"}: the worst scaled ` +
+           `Jacobian is ${worst.toFixed(2)}; a rectangle has 1.`;
+  }
+  return report.kind === "profile" ? data.attributes.words : sceneInWords().join(" ");
+};
 
 const start = async () => {
   document.title = `${report.file}: bem_contact report`;
   add("h1", `${TITLE_OF[report.kind]}: ${report.file}`);
   if (report.kind !== "study")
-    add(report.kind === "profile" ? "pre" : "p", report.kind === "profile" ? data.attributes.words : sceneInWords().join(" "), page, {id: "words"});
+    add(report.kind === "profile" ? "pre" : "p", inWords(), page, {id: "words"});
   ADDED[report.kind]();
   addDownloads();
   addScene();

@@ -7,6 +7,7 @@
 #include "bem_contact/record/former.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/json.hpp"
+#include "bem_contact/report/mesh_file.hpp"
 #include "bem_contact/report/settings.hpp"
 
 #include <algorithm>
@@ -30,24 +31,30 @@ using record::Record;
 std::string page_of(const Record& file, const std::filesystem::path& path) {
   if (const FileKind* kind = kind_of(record::text_at(file, "format").value_or("")); kind && *kind->page)
     return kind->page;
-  throw InputError(
-      fmt::format("'{}' cannot be reported", path.string()),
-      "it is HDF5, but no result, comparison, sweep, creep curves, conicity, wheelset or wear",
-      "Name a file that bem_contact solve, compare, sweep, creep-curves, conicity, wheelset or wear wrote; "
-      "bem_contact plot draws tables of forces and of fatigue.");
+  if (record::has(file, "stations") && (record::has(file, "kernel") || record::has(file, "table")))
+    return "influence file";
+  throw InputError(fmt::format("'{}' cannot be reported", path.string()),
+                   "it is HDF5, but no file of answers of bem_contact and no influence file",
+                   "Name a file that solve, compare, sweep, creep-curves, conicity, wheelset, table, wear, "
+                   "fatigue or study of bem_contact wrote, or an influence file.");
 }
 
 /// What no figure draws.
 bool left_out(std::string_view path) {
   if (!path.starts_with("data/"))
     return false;
+  if (path == "data/table") // the numbers of an influence file without a kernel
+    return true;
   std::string_view name = path.substr(5);
   if (name.starts_with("parts/")) // of a study
     name =
         name.substr(std::min(name.size(), name.find('/', 6))).substr(name.find('/', 6) == name.npos ? 0 : 1);
-  constexpr std::array fields{
-      "u_x",           "u_s",   "u_n", "friction_work_density", "friction_work", "deformed_distance",
-      "largest_shear", "stress"};
+  constexpr std::array fields{"u_x",           "u_s",
+                              "u_n",           "friction_work_density",
+                              "friction_work", "deformed_distance",
+                              "largest_shear", "stress",
+                              "kernel",        "remote",
+                              "remote_self",   "wavenumber"};
   const std::string_view last = name.substr(name.rfind('/') + 1);
   constexpr std::array of_cases{"reason", "model", "frame", "friction", "quantities", "dx",  "ds",  "x",
                                 "s",      "y",     "z",     "delta",    "state",      "p_n", "p_x", "p_s"};
@@ -81,14 +88,17 @@ Record worn_profiles(const std::filesystem::path& file, int last) {
   return out;
 }
 
-/// What a page shows of a file that bem_contact wrote: a result, a comparison, a sweep, creep curves,
-/// conicity, a wheelset or wear.
+/// What a page shows of a file that bem_contact wrote, of an influence file or of a mesh.
 ///
 /// "kind" says which of these, "file" its name, and "data" holds what is in the file (to_described_json()).
 /// Left out is what no figure draws: displacements, fields of single steps, stresses by point, fields of a
 /// sweep's cases. Of wear, "steps" has up to five profiles of each body ([y, z] of each point), which lie
 /// beside the file. Throws InputError for any other file.
 Record report_data(const std::filesystem::path& file) {
+  if (file.extension() == mesh_ending)
+    return {{"kind", record::Text{"mesh"}},
+            {"file", record::Text{file.filename().string()}},
+            {"data", mesh_data(file)}};
   Record data = record::in_todays_layout(
       record::from_h5(read_h5_top(file, "patches"))); // the fields of a sweep's cases may be large
   const std::string kind = page_of(data, file);

@@ -9,10 +9,12 @@
 
 namespace bem_contact::report {
 
-/// Reads a file that bem_contact wrote (a result, a comparison, a sweep, creep curves, conicity, a wheelset
-/// or wear) and writes its page to `output`, whole or not at all: HTML that needs no other file and no
-/// network. Throws InputError for any other file, where `output` is `file` or cannot be written, and if this
-/// build has no plotting library.
+inline constexpr const char* mesh_ending = ".msh";
+
+/// Reads a file that bem_contact wrote (file_kinds.hpp says which have a page), an influence file or a
+/// mesh of mesh_body (.msh), and writes its page to `output`, whole or not at all: HTML that needs no other
+/// file and no network. Throws InputError for any other file, where `output` is `file` or cannot be written,
+/// and if this build has no plotting library.
 void write_report(const std::filesystem::path& file, const std::filesystem::path& output);
 
 /// The page of what such a file holds; `name`: of the file. Throws as write_report() does.

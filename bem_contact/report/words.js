@@ -34,9 +34,17 @@ const WORDS = {pmax: "largest pressure", area: "area in contact", Fx: "longitudi
                "position.lateral": "lateral displacement", "position.yaw": "yaw angle", "position.roll": "roll angle", "load.force": "vertical force",
                "wheelset.force": "vertical force of the axle", "motion.friction": "coefficient of friction", "motion.xi": "longitudinal creepage",
                "motion.eta": "lateral creepage", "motion.phi": "spin", "track.curve_radius": "radius of the curve",
-               "layer.compliance": "compliance of the layer", "solver.model": "model", "rail.profile": "rail", "wheel.profile": "wheel"};
+               "layer.compliance": "compliance of the layer", "solver.model": "model", "rail.profile": "rail", "wheel.profile": "wheel",
+               damage: "damage of one passage", von_mises: "largest von Mises stress", von_mises_depth: "depth of the largest von Mises stress",
+               tan_gamma: "equivalent conicity tan γ", wheel_depth_per_km: "depth off the wheel by km", rail_depth_per_mgt: "depth off the rail by MGT",
+               rail_depth_per_million_axles: "depth off the rail by a million axles"};
 const ofEither = name => name.replace(/^(right|left)_/, ""); // wheel
 const words = name => WORDS[name] ?? (ofEither(name) === name ? name : `${words(ofEither(name))}, ${name.split("_")[0]} wheel`);
+
+/// The lines of a text.
+const linesOf = texts => texts.text.split("\n");
+/// The name of a file without its folders.
+const shortName = name => name.split("/").pop();
 
 /// "mm2" as people write it.
 const unitText = unit => unit.replace(/mm\^?2/g, "mm²").replace(/mm\^?3/g, "mm³").replace("N mm", "N\u00a0mm");
@@ -116,7 +124,7 @@ const sceneInWords = () => {
     return wheelsetInWords(profile);
   const out = [], contact = contactsOf(data)[0] ?? contactsOf(data.at_equal_forces)[0] ?? contactsOf(data.at_equal_position)[0];
   const quantities = contact?.group.quantities ?? {}, q = name => number(quantities[name]?.values[0]);
-  if ("right_share" in data)
+  if ("right_share" in data || data.right)
     out.push(bothWheels(profile));
   else if (profile("rail"))
     out.push(`A ${sceneValue("position.side") || "right"} wheel ${profile("wheel")} and the nominal radius ` +
@@ -181,14 +189,19 @@ const addWarnings = (of, parent = page) => {
 };
 
 const SIX = ["pmax", "area", "Fx", "Fy", "Mz", "T_gamma"];
-/// What is looked at first, in large figures.
-const addSix = (contact, parent = page) => {
-  const list = add("dl", "", parent, {className: "six"}), q = contact.group.quantities;
-  for (const name of SIX.filter(name => q[name])) {
+/// What is looked at first, in large figures: [name, words, text] of each.
+const addLarge = (items, parent = page) => {
+  const list = add("dl", "", parent, {className: "six"});
+  for (const [name, title, text] of items) {
     const one = add("div", "", list);
-    add("dt", words(name), one);
-    add("dd", `${number(valueOf(q, name), valueOf(q, `${name}_error`))} ${unitText(q[name].unit)}`, one, {id: `six-${name}`});
+    add("dt", title, one);
+    add("dd", text, one, {id: `${idPrefix}six-${name}`});
   }
+};
+const addSix = (contact, parent = page) => {
+  const q = contact.group.quantities;
+  addLarge(SIX.filter(name => q[name]).map(name =>
+    [name, words(name), `${number(valueOf(q, name), valueOf(q, `${name}_error`))} ${unitText(q[name].unit)}`]), parent);
 };
 
 const addQuantities = (contacts, caption, id, parent = page) => {

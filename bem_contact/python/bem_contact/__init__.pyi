@@ -353,4 +353,4 @@ def plot(
     """A picture of what bem_contact wrote, or of a profile: matplotlib's Figure. `picture`: where it is written, too."""
 
 def report(file: str | PathLike[str], output: str | PathLike[str]) -> None:
-    """One HTML page of a result, a comparison, a sweep, creep curves, conicity, a wheelset or wear (HDF5): words, tables, figures."""
+    """One HTML page of what a command wrote, or of an influence file (HDF5): words, tables, figures."""
