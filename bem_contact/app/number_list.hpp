@@ -23,4 +23,17 @@ inline std::optional<std::vector<double>> number_list(std::string_view text, cha
   }
 }
 
+/// The numbers of FROM:TO:COUNT, as "0:0.005:21". Nothing for any other text and for a count that is not
+/// whole, or not from 2 to `most`.
+inline std::optional<std::vector<double>> equal_steps(std::string_view text, int most) {
+  const std::vector<double> numbers = number_list(text, ':').value_or(std::vector<double>());
+  const double count = numbers.size() == 3 ? numbers[2] : 0;
+  if (!(count >= 2 && count <= most && count == std::floor(count)))
+    return std::nullopt;
+  std::vector<double> out;
+  for (int i = 0; i < count; ++i)
+    out.push_back(numbers[0] + (numbers[1] - numbers[0]) * i / (count - 1));
+  return out;
+}
+
 } // namespace bem_contact::app

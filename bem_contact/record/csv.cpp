@@ -8,6 +8,13 @@
 
 namespace bem_contact::record {
 
+namespace {
+
+/// With these a spreadsheet begins a formula, which it computes when the table is opened.
+constexpr std::string_view begins_formula = "=+-@";
+
+} // namespace
+
 std::string csv_name(std::string_view name, std::string_view unit) {
   std::string out(name);
   if (unit == "1")
@@ -21,6 +28,20 @@ std::string csv_name(std::string_view name, std::string_view unit) {
 
 std::string csv_cell(double value, int digits) {
   return std::isnan(value) ? std::string() : fmt::format("{:.{}g}", value, digits);
+}
+
+bool is_formula(std::string_view text) {
+  return !text.empty() && begins_formula.find(text.front()) != begins_formula.npos;
+}
+
+std::string csv_text(std::string_view text) {
+  std::string out(is_formula(text) ? "\" " : "\"");
+  for (const char c : text) {
+    out.append(c == '"' ? 1 : 0, '"');
+    out.push_back(c == '\n' ? ' ' : c);
+  }
+  out.push_back('"');
+  return out;
 }
 
 std::string csv_head(const Table& table) {

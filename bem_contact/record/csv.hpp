@@ -14,6 +14,10 @@ namespace bem_contact::record {
 std::string csv_name(std::string_view name, std::string_view unit);
 /// A number with so many digits; an empty cell for nan.
 std::string csv_cell(double value, int digits);
+/// Whether a spreadsheet takes a text as a formula, which it computes when the table is opened.
+bool is_formula(std::string_view text);
+/// A text in quotes (RFC 4180): doubled quotes. For people: in one line, and no formula.
+std::string csv_text(std::string_view text);
 /// The heads of all columns, and the cells of one row, with commas between them.
 std::string csv_head(const Table& table);
 std::string csv_line(const Table& table, std::size_t row, int digits = 17);

@@ -14,6 +14,7 @@ inline constexpr const char* sweep_format = "bem_contact sweep 3";
 inline constexpr const char* sweep_part_format = "bem_contact sweep part 1";
 inline constexpr const char* wheelset_format = "bem_contact wheelset 2";
 inline constexpr const char* conicity_format = "bem_contact conicity 2";
+inline constexpr const char* conicity_map_format = "bem_contact conicity map 1";
 inline constexpr const char* creep_curves_format = "bem_contact creep curves 2";
 inline constexpr const char* fatigue_format = "bem_contact fatigue 2";
 inline constexpr const char* table_format = "bem_contact table 4";
@@ -36,6 +37,8 @@ inline constexpr FileKind file_kinds[] = {
     {sweep_part_format, "Some cases of a sweep; bem_contact sweep --join makes the whole of its parts"},
     {wheelset_format, "Both wheels of a wheelset", "wheelset", "both wheels of a wheelset", "wheelset"},
     {conicity_format, "The conicity of a wheelset", "conicity", "the conicity of a wheelset", "conicity"},
+    {conicity_map_format, "Conicities of many wheelsets", "conicity map", "the conicities of many wheelsets",
+     "conicity"},
     {creep_curves_format, "Creep curves", "creep curves", "creep curves", "creep-curves"},
     {fatigue_format, "Fatigue of each patch of a load collective", "fatigue",
      "the fatigue of a load collective", "fatigue"},

@@ -141,4 +141,74 @@ TEST_F(ConicityCommand, SaysWhatIsMissingOrWrong) {
   refused("--rail 60E1 --wheel '" + profile + "' --csv '" + profile + "'", "cone.txt");
 }
 
+/// Each line of a map is what the command says of that wheelset alone, but for the place of a jump of the
+/// contact; a pattern names files.
+TEST_F(ConicityCommand, AMapHasTheNumbersOfSingleWheelsets) {
+  cone();
+  write("steep.txt", "60 -6\n30 -3\n0 0\n-30 3\n-60 6\n");
+  const std::string pattern = "\"" + (folder_ / "*.txt").string() + "\"",
+                    file = (folder_ / "map.h5").string();
+  const Outcome r = run("conicity --wheels " + pattern +
+                        " S1002 --rails 60E1 54E1 --rail-inclination 0.025 --gauges "
+                        "1433:1437:3 --json -o '" +
+                        file + "' --csv '" + (folder_ / "map.csv").string() + "'");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const json map = json::parse(r.out)["map"];
+  ASSERT_EQ(map["tan_gamma"].size(), 18u);
+  for (std::size_t i = 0; i < 18; ++i) {
+    const std::string wheel = std::vector<std::string>{"'" + (folder_ / "cone.txt").string() + "'",
+                                                       "'" + (folder_ / "steep.txt").string() + "'",
+                                                       "S1002"}[i / 6],
+                      rail = i / 3 % 2 ? "54E1" : "60E1";
+    const Outcome one =
+        run(fmt::format("conicity --wheel {} --rail {} --rail-inclination 0.025 --gauge {} --json", wheel,
+                        rail, 1433 + 2 * (i % 3)));
+    const json alone = json::parse(one.out);
+    EXPECT_NEAR(map["tan_gamma"][i].get<double>(), at(alone["conicity"], "amplitude", 3, "tan_gamma"), 1e-8)
+        << i;
+    EXPECT_EQ(map["gauge"][i].get<double>(), 1433.0 + 2 * static_cast<double>(i % 3));
+    if (i >= 12) { // cones of points have no flange
+      EXPECT_NEAR(map["nonlinearity"][i].get<double>(), alone["nonlinearity"].get<double>(), 1e-9);
+      EXPECT_NEAR(map["play"][i].get<double>(), alone["play"].get<double>(), 1e-12);
+    }
+  }
+  EXPECT_NEAR(map["tan_gamma"][0].get<double>(), 0.05, 1e-6);
+  EXPECT_NEAR(map["tan_gamma"][6].get<double>(), 0.1, 1e-6);
+  const H5Table stored = read_h5(file);
+  EXPECT_EQ(stored.datasets.at("map/tan_gamma").values, map["tan_gamma"].get<std::vector<double>>());
+  EXPECT_THAT(text_of(folder_ / "map.csv"), HasSubstr("\n\"S1002\",\"54E1\",1437,"));
+}
+
+/// Without noise nothing scatters; a seed says it all, also of a pair in a larger map; more noise scatters
+/// more.
+TEST_F(ConicityCommand, NoiseOfProfilesScattersTheConicity) {
+  const auto spread = [&](const std::string& more, const char* column = "tan_gamma_spread") {
+    const Outcome r = run("conicity --rail 60E1 --rail-inclination 0.025 --draws 6 --json " + more);
+    EXPECT_EQ(r.code, 0) << r.err;
+    return json::parse(r.out)["map"][column].get<std::vector<double>>();
+  };
+  EXPECT_EQ(spread("--wheel S1002 --noise 0"), std::vector<double>{0});
+  const double little = spread("--wheel S1002 --noise 0.002").at(0),
+               much = spread("--wheel S1002 --noise 0.02").at(0);
+  EXPECT_GT(little, 0);
+  EXPECT_GT(much, 2 * little);
+  EXPECT_EQ(spread("--wheel S1002 --noise 0.002").at(0), little);
+  EXPECT_NE(spread("--wheel S1002 --noise 0.002 --seed 2").at(0), little);
+  EXPECT_EQ(spread("--wheels LMA S1002 --gauges 1434:1435:2 --noise 0.002").at(3), little);
+  EXPECT_NEAR(spread("--wheel S1002 --noise 0.002", "tan_gamma_mean").at(0), 0.1741, 0.02);
+}
+
+TEST_F(ConicityCommand, MapsThatCannotBeMadeAreRefused) {
+  for (const auto& [line, words] :
+       {std::pair{"--wheels 'no_such_*.whl' --rail 60E1", "no file has a name like this"},
+        {"--wheels S1002 --rail 60E1 --gauges 1430:1440", "FROM:TO:COUNT"},
+        {"--wheels S1002 --rail 60E1 --left-wheel LMA", "both sides have the same profiles"},
+        {"--wheels S1002", "--rail is not given"},
+        {"--wheels S1002 60E1 --rail 60E1", "60E1 is the profile of a rail"}}) {
+    const Outcome r = run(std::string("conicity ") + line);
+    EXPECT_EQ(r.code, 2) << line;
+    EXPECT_THAT(r.err, HasSubstr(words)) << line;
+  }
+}
+
 } // namespace

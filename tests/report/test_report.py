@@ -97,7 +97,7 @@ class Report(unittest.TestCase):
         cls.files = {kind: cls.folder / f"{kind}.h5" for kind in ("result", "stresses", "cylinder", "comparison", "curves", "sweep", "cases",
                                                                    "conicity", "wheelset")}
         cls.files["wear"] = cls.folder / "worn" / "wear.h5"
-        cls.files |= {kind: cls.folder / f"{kind}.h5" for kind in ("fatigue", "rates", "table", "axle_rates")}
+        cls.files |= {kind: cls.folder / f"{kind}.h5" for kind in ("fatigue", "rates", "table", "map", "axle_rates")}
         cls.files["study"] = cls.folder / "study" / "study.h5"
         cls.files["influence"] = ROOT / "data" / "influence" / "small_rail.h5"
         (cls.folder / "table.toml").write_text(TABLE)
@@ -116,6 +116,8 @@ class Report(unittest.TestCase):
                         ("wear", cls.folder / "study.toml", "-o", cls.files["rates"]),
                         ("wear", SCENES / "wheelset.toml", "-o", cls.files["axle_rates"]),
                         ("table", cls.folder / "table.toml", "--tolerance", "0.2", "-o", cls.files["table"]),
+                        ("conicity", "--wheels", "S1002", "LMA", "--rails", "60E1", "--rail-inclination", "0.025", "--gauges", "1434:1436:3",
+                         "--noise", "0.005", "--draws", "3", "-o", cls.files["map"]),
                         ("study", cls.folder / "study.toml", "-o", cls.folder / "study"),
                         ("wear", cls.folder / "wear.toml", "-o", cls.folder / "worn", "--depth", "0.03")):
             done = program(*command)
@@ -308,7 +310,7 @@ class Report(unittest.TestCase):
                   "fatigue": ["shakedown", "stress-depth", "fatigue-patches"],
                   "rates": ["worn-rows", "rates"], "axle_rates": ["worn-rows-left", "worn-rows-right", "rates-left", "rates-right"],
                   "table": ["table-errors", "table-Fx", "table-pmax", "table-columns", "table-axes"],
-                  "mesh": ["mesh", "mesh-strip"], "influence": ["strip", "influence-attributes"],
+                  "mesh": ["mesh", "mesh-strip"], "map": ["map", "map-entries"], "influence": ["strip", "influence-attributes"],
                   "study": ["taken", "parts", "headline", "solve-patch-halfspace", "fatigue-shakedown", "wear-worn-rows", "conicity-tan-gamma"]}
         show = browser.Browser()
         try:
@@ -332,9 +334,14 @@ class Report(unittest.TestCase):
                     self.assertGreater(show.value(last), 0.02)
                 if kind == "mesh":
                     self.assertIn("good: the worst scaled Jacobian is 0.89", show.value("document.getElementById('words').textContent"))
-                if kind in ("fatigue", "rates", "table", "influence", "mesh"):
+                if kind in ("fatigue", "rates", "table", "map", "influence", "mesh"):
                     self.assertEqual(show.value("document.querySelectorAll('.six dd').length"), 6, kind)
                     self.assertEqual(show.value("[...document.querySelectorAll('.six dd')].filter(d => /NaN|undefined|null/.test(d.textContent)).length"), 0, kind)
+                if kind == "map":
+                    entries = self.report_of(kind)["data"]["map"]
+                    cells = show.value("[...document.querySelectorAll('#map-entries tbody tr')].map(row => [...row.cells].map(c => c.textContent))")
+                    self.assertEqual([row[0] for row in cells], 3 * ["S1002"] + 3 * ["LMA"])
+                    np.testing.assert_allclose([float(row[3]) for row in cells], entries["tan_gamma"]["values"], rtol=1e-5)
                 if kind == "table":
                     data = self.report_of(kind)["data"]
                     drawn = show.value("document.querySelector('#table-pmax .drawing').data[0].y")

@@ -1,8 +1,10 @@
 #include "bem_contact/app/command.hpp"
+#include "bem_contact/app/commands/conicity_maps.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/progress.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/record/csv.hpp"
@@ -37,6 +39,10 @@ both; load, motion, and the displacement, roll and yaw of the scene's [position]
 You should see the contact points for each millimetre from -12 to 12 mm and, for an amplitude of 3 mm, a conicity of
 0.1741 and a wavelength of 8.844 m. "none": no motion has this amplitude.
 
+With --wheels, --rails, --gauges or --noise the answer is a map: a line for each wheel on each rail at each gauge, and, with
+--noise, how far the conicity scatters where the points of the profiles do (seeded draws, smoothed as the program advises):
+    bem_contact conicity --wheels S1002 LMA --rails 60E1 --rail-inclination 0.025 --gauges 1433:1437:3 --noise 0.01
+
 More, and how to draw it: data/tutorial/conicity.md.)";
 
 struct ConicityArguments {
@@ -44,6 +50,7 @@ struct ConicityArguments {
   std::vector<SceneChange> changes;
   LeftProfiles left;
   Amplitudes amplitudes;
+  MapArguments map;
   bool rolls = false, json = false;
 };
 
@@ -131,7 +138,75 @@ std::string conicity_text(const WheelsetConicity& c, const WheelsetOnTrack& w, c
   return out + rated_text(c);
 }
 
+/// Profiles of a map as inputs, "wheels.0001.profile" and so on.
+std::vector<NamedFile> files_of(const ConicityMapRange& range, const std::filesystem::path& folder) {
+  std::vector<NamedFile> out;
+  for (const auto& [body, names] : {std::pair{"wheels", &range.wheels}, {"rails", &range.rails}})
+    for (std::size_t k = 0; k < names->size(); ++k)
+      std::ranges::move(files_of_key(fmt::format("{}.{:04}.profile", body, k + 1), (*names)[k], folder),
+                        std::back_inserter(out));
+  return out;
+}
+
+/// The options with the profiles of one pair; "": what the options say already.
+ConicityArguments of_pair(ConicityArguments arguments, const std::string& wheel, const std::string& rail) {
+  for (const auto& [key, name] : {std::pair{"wheel.profile", &wheel}, {"rail.profile", &rail}})
+    if (!name->empty())
+      arguments.changes.push_back({key, *name});
+  return arguments;
+}
+
+/// What the map is of. Names of files hold from any folder; lists that are not given stay empty.
+ConicityMapRange range_from_here(const ConicityArguments& arguments) {
+  if (!arguments.left.wheel.empty() || !arguments.left.rail.empty())
+    throw InputError("A map has no --left-wheel and no --left-rail",
+                     "both sides have the same profiles there", "Leave them out, or ask for one wheelset.");
+  ConicityMapRange range = map_range(arguments.map, arguments.rolls);
+  for (std::vector<std::string>* names : {&range.wheels, &range.rails})
+    std::ranges::transform(*names, names->begin(), from_here);
+  return range;
+}
+
+ExitCode run_map(const ConicityArguments& arguments) {
+  ConicityMapRange range = range_from_here(arguments);
+  const auto first = [](const std::vector<std::string>& names) {
+    return names.empty() ? std::string() : names.front();
+  };
+  GivenScene given = given_scene(of_pair(arguments, first(range.wheels), first(range.rails)));
+  if (range.wheels.empty())
+    range.wheels = {given.scene.wheel.profile};
+  if (range.rails.empty())
+    range.rails = {given.scene.rail.profile};
+  const std::vector<NamedFile> files = files_of(range, given.scene.folder);
+  std::vector<std::filesystem::path> inputs = files_read(arguments.scene, given.scene);
+  std::ranges::move(paths_of(files), std::back_inserter(inputs));
+  require_named_outputs(inputs,
+                        {{"--output", arguments.output, OutputForm::whole_file}, {"--csv", arguments.csv}});
+  if (!arguments.output.empty())
+    given.inputs = records_of(files);
+  Progress progress("wheelsets",
+                    range.wheels.size() * range.rails.size() * std::max<std::size_t>(1, range.gauges.size()));
+  const ConicityMap map = conicity_map(
+      range,
+      [&](const std::string& wheel, const std::string& rail) {
+        const std::vector<SceneChange> changes = of_pair(arguments, wheel, rail).changes;
+        return arguments.scene.empty() ? scene_without_file(changes) : parse_scene_file(given.text, changes);
+      },
+      [&] { progress.step(); });
+  progress.finish();
+  if (!arguments.output.empty())
+    record::write_hdf5(arguments.output,
+                       headed(conicity_map_format, given, arguments.output).append(record_of(map)));
+  if (!arguments.csv.empty())
+    write_text(arguments.csv, [&](std::ostream& out) { write_map_csv(out, map); });
+  fmt::print("{}", arguments.json ? record::to_json(headed(conicity_map_format).append(record_of(map))) + "\n"
+                                  : track_text(given.scene) + "\n" + map_text(map));
+  return success;
+}
+
 ExitCode run(const ConicityArguments& arguments) {
+  if (arguments.map.asked())
+    return run_map(arguments);
   GivenScene given = given_scene(arguments);
   const std::vector<NamedFile> left = left_files(arguments.left);
   std::vector<std::filesystem::path> inputs = files_read(arguments.scene, given.scene);
@@ -221,9 +296,10 @@ Command add_conicity(CLI::App& program) {
   line->add_flag("--roll", arguments->rolls, "Let the wheelset roll until both wheels stand on their rails");
   line->add_option("--to", arguments->amplitudes.largest, "Largest amplitude, mm")->capture_default_str();
   line->add_option("--step", arguments->amplitudes.step, "Step of the amplitudes, mm")->capture_default_str();
+  add_map_options(*line, arguments->map);
   add_json(*line, arguments->json);
   add_output_option(*line, "--csv", arguments->csv,
-                    "Write radius difference and contact points over the displacement");
+                    "Write radius difference and contact points over the displacement; of a map, its lines");
   add_output_option(*line, "-o,--output", arguments->output, "Write all results (HDF5)");
   line->footer(conicity_help);
   return {line, [arguments] { return run(*arguments); }};

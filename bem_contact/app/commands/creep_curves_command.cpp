@@ -157,17 +157,13 @@ ExitCode run(const CreepArguments& arguments) {
 CreepRange creep_range(CreepKind kind, const std::string& text) {
   if (text == "auto")
     return {kind, {}};
-  const std::vector<double> numbers = number_list(text, ':').value_or(std::vector<double>());
-  const double count = numbers.size() == 3 ? numbers[2] : 0;
-  if (!(count >= 2 && count <= 10000 && count == static_cast<int>(count)))
-    throw InputError(fmt::format("The range '{}' of {} cannot be read", text,
-                                 EnumNames<CreepKind>::names[static_cast<std::size_t>(kind)]),
-                     "it is neither auto nor FROM:TO:COUNT with a count of 2 to 10000",
-                     "Give one like 0:0.005:21.");
-  CreepRange range{kind, {}};
-  for (int i = 0; i < count; ++i)
-    range.values.push_back(numbers[0] + (numbers[1] - numbers[0]) * i / (count - 1));
-  return range;
+  constexpr int most_points = 10000;
+  if (auto values = equal_steps(text, most_points))
+    return {kind, std::move(*values)};
+  throw InputError(fmt::format("The range '{}' of {} cannot be read", text,
+                               EnumNames<CreepKind>::names[static_cast<std::size_t>(kind)]),
+                   "it is neither auto nor FROM:TO:COUNT with a count of 2 to 10000",
+                   "Give one like 0:0.005:21.");
 }
 
 Command add_creep_curves(CLI::App& program) {

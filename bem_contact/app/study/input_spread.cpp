@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
+#include "bem_contact/profile/noisy_profile.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/uses/wear/worn_profile.hpp"
@@ -11,61 +12,26 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <numbers>
 #include <ostream>
-#include <random>
 #include <sstream>
 
 namespace bem_contact::app {
 
 namespace {
 
-/// mm. Distance of the points along a profile that is given by no points: instruments measure about as
-/// densely.
-constexpr double drawn_spacing = 0.2;
 /// 1. A drawn coefficient of friction is no smaller: nothing rolls on less.
 constexpr double least_drawn_friction = 0.01;
-
-/// Normal numbers of deviation 1 (Box and Muller 1958): the standard library's differ from one to another.
-class NormalDraws {
-public:
-  explicit NormalDraws(int seed) : bits_(static_cast<std::uint64_t>(seed)) {}
-  double next() {
-    const double radius = std::sqrt(-2 * std::log(1 - uniform()));
-    return radius * std::cos(2 * std::numbers::pi * uniform());
-  }
-
-private:
-  double uniform() { return static_cast<double>(bits_() >> 11) * 0x1p-53; } // [0, 1)
-  std::mt19937_64 bits_;
-};
-
-/// The profile with noise along its normals, as points with which a scene goes on.
-std::vector<Point2> noisy_points(const SceneFile::Side& side, ProfileKind kind,
-                                 const std::filesystem::path& folder, double noise, NormalDraws& draws) {
-  const ProfileCurve curve = named_profile(side.profile, kind, folder, side.reading);
-  const double length = curve.s_end() - curve.s_begin();
-  const int steps = std::max(8, static_cast<int>(length / drawn_spacing));
-  std::vector<Point2> out;
-  for (int i = 0; i <= steps; ++i) {
-    const CurvePoint at = curve.at(i == steps ? curve.s_end() : curve.s_begin() + length * i / steps);
-    const double off = noise * draws.next();
-    out.push_back({at.position.y - off * std::sin(at.delta), at.position.z + off * std::cos(at.delta)});
-  }
-  return out;
-}
 
 void add_noisy_profile(const char* name, const SceneFile::Side& side, ProfileKind kind,
                        const SceneFile& scene, const std::filesystem::path& folder, double noise,
                        NormalDraws& draws, std::vector<SceneChange>& changes) {
-  const std::vector<Point2> points = noisy_points(side, kind, scene.folder, noise, draws);
+  const std::vector<Point2> points =
+      noisy_points(named_profile(side.profile, kind, scene.folder, side.reading), noise, draws);
   const std::filesystem::path file = std::filesystem::absolute(folder / fmt::format("{}.txt", name));
   wear::write_profile(file, points);
-  const double smoothing =
-      side.reading.smoothing > 0 ? side.reading.smoothing : measure_noise(points).smoothing;
   changes.push_back({fmt::format("{}.profile", name), file.string()});
   changes.push_back({fmt::format("{}.profile_z", name), std::string("down")});
-  changes.push_back({fmt::format("{}.smoothing", name), smoothing});
+  changes.push_back({fmt::format("{}.smoothing", name), smoothing_of(points, side.reading.smoothing)});
 }
 
 /// What a draw changes. Each draw takes the same count of random numbers for the same inputs.
@@ -147,7 +113,7 @@ std::vector<std::string> draw_inputs(const StudyCase& study, const StudyFolder& 
   const SceneText& text = study.text;
   const SceneFile scene = has_sweep(text) ? parse_sweep_file(text).scene(0) : parse_scene_file(text);
   const std::vector<std::string> parts = drawn_parts(study);
-  NormalDraws draws(study.uncertainty.seed);
+  NormalDraws draws(static_cast<std::uint64_t>(study.uncertainty.seed));
   std::vector<std::vector<double>> values;
   int without = 0;
   Progress progress("draws", study.uncertainty.draws);

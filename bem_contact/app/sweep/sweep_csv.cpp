@@ -4,6 +4,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/schema_text.hpp"
+#include "bem_contact/record/csv.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -18,24 +19,6 @@ namespace {
 
 /// Rows that are in memory at once: some megabytes.
 constexpr std::size_t rows_at_once = 8192;
-
-/// With these a spreadsheet begins a formula, which it computes when the table is opened.
-constexpr std::string_view begins_formula = "=+-@";
-
-bool is_formula(std::string_view text) {
-  return !text.empty() && begins_formula.find(text.front()) != begins_formula.npos;
-}
-
-/// RFC 4180: doubled quotes. For people: in one line, and no formula.
-std::string quoted(const std::string& text) {
-  std::string out(is_formula(text) ? "\" " : "\"");
-  for (const char c : text) {
-    out.append(c == '"' ? 1 : 0, '"');
-    out.push_back(c == '\n' ? ' ' : c);
-  }
-  out.push_back('"');
-  return out;
-}
 
 /// Some rows of a table, column by column.
 class Rows {
@@ -96,7 +79,7 @@ void print_axes(std::ostream& out, const SweepFile& sweep) {
 void print_changes(std::ostream& out, const SweepFile& sweep, std::size_t i) {
   for (const SceneChange& change : sweep.changes(i)) {
     const auto* text = std::get_if<std::string>(&change.value);
-    fmt::print(out, ",{}", text ? quoted(*text) : bem_contact::to_text(change.value));
+    fmt::print(out, ",{}", text ? record::csv_text(*text) : bem_contact::to_text(change.value));
   }
   if (!sweep.weights.empty())
     fmt::print(out, ",{}", sweep.weight(i));
@@ -122,7 +105,7 @@ void print_cases(std::ostream& out, const SweepFile& sweep, const std::vector<Sw
                fmt::print(out, ",{}", status_word(rows.at(i - cases.first, 0), file));
                rows.print(out, i - cases.first, 1);
                const std::string reason = file.text(group_of_case(i), "reason");
-               fmt::print(out, ",{}\n", reason.empty() ? "" : quoted(reason));
+               fmt::print(out, ",{}\n", reason.empty() ? "" : record::csv_text(reason));
              }
            });
 }
@@ -165,12 +148,12 @@ void print_units(std::ostream& out, const SweepFile& sweep, const SweepColumns& 
   if (!sweep.weights.empty())
     for (const char* table : tables)
       fmt::print(out, "{},weight,1,how often the case occurs compared with the others\n", table);
-  fmt::print(out, "cases,status,1,{}\n", quoted(status_description));
-  fmt::print(out, "cases,seconds,s,{}\ncases,cpu_seconds,s,{}\n", quoted(seconds_description),
-             quoted(cpu_description));
+  fmt::print(out, "cases,status,1,{}\n", record::csv_text(status_description));
+  fmt::print(out, "cases,seconds,s,{}\ncases,cpu_seconds,s,{}\n", record::csv_text(seconds_description),
+             record::csv_text(cpu_description));
   const auto print = [&](const char* table, const std::vector<SweepColumn>& all) {
     for (const SweepColumn& column : all)
-      fmt::print(out, "{},{},{},{}\n", table, column.name, column.unit, quoted(column.description));
+      fmt::print(out, "{},{},{},{}\n", table, column.name, column.unit, record::csv_text(column.description));
   };
   print("cases", columns.cases);
   print("patches", columns.patches);
@@ -183,10 +166,11 @@ void require_csv_texts(const SweepFile& sweep) {
   for (const SweepFile::Axis& axis : sweep.axes)
     for (const SchemaValue& value : axis.values)
       if (const auto* text = std::get_if<std::string>(&value))
-        if (is_formula(*text) || std::ranges::any_of(*text, is_control))
+        if (record::is_formula(*text) || std::ranges::any_of(*text, is_control))
           throw InputError(fmt::format("{} = {} cannot be a cell of --csv", axis.key, toml_text(*text)),
-                           is_formula(*text) ? "a spreadsheet takes what begins with = + - @ as a formula"
-                                             : "tables have one line for each case",
+                           record::is_formula(*text)
+                               ? "a spreadsheet takes what begins with = + - @ as a formula"
+                               : "tables have one line for each case",
                            "Give the file another name, or leave out --csv.");
 }
 

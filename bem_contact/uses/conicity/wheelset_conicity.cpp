@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <limits>
 
 namespace bem_contact {
@@ -46,6 +47,14 @@ std::optional<double> middle_of_motion(std::span<const RadiusDifference> f) {
     if (at.difference == 0 && (!nearest || std::abs(at.lateral) < std::abs(*nearest)))
       nearest = at.lateral;
   return nearest;
+}
+
+std::vector<RadiusDifference> differences(std::span<const WheelsetStand> stands) {
+  std::vector<RadiusDifference> out;
+  std::ranges::transform(stands, std::back_inserter(out), [](const WheelsetStand& s) {
+    return RadiusDifference{s.lateral, s.difference()};
+  });
+  return out;
 }
 
 void warn_of_negative_cone(std::span<const RadiusDifference> function) {
@@ -156,8 +165,8 @@ SceneFile scene_without_file(std::span<const SceneChange> changes) {
   return parse_scene_file({"load.force = 1.0\n", "options"}, changes);
 }
 
-WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplitudes& amplitudes,
-                                   const std::atomic<bool>* stop) {
+WheelsetConicity steering_of(const WheelsetOnTrack& wheelset, const Amplitudes& amplitudes,
+                             const std::atomic<bool>* stop) {
   const double largest = amplitudes.largest, step = amplitudes.step;
   if (!(step > 0 && largest >= step && largest <= 45 && largest / step <= 10000))
     throw InputError(
@@ -170,10 +179,7 @@ WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplit
                        .stands = rolling_radius_difference(wheelset, largest + beyond_amplitude, stop),
                        .values = {},
                        .conformity = {}};
-  std::vector<RadiusDifference> function;
-  for (const WheelsetStand& s : out.stands)
-    function.push_back({s.lateral, s.difference()});
-  warn_of_negative_cone(function);
+  const std::vector<RadiusDifference> function = differences(out.stands);
   const int count = static_cast<int>(largest / step + 1e-9);
   for (int k = 1; k <= count; ++k) {
     end_if_stopped(stop);
@@ -188,6 +194,13 @@ WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplit
     return motion ? motion->tan_gamma : std::numeric_limits<double>::quiet_NaN();
   };
   out.nonlinearity = (rated(rated_step) - rated(-rated_step)) / (2 * rated_step);
+  return out;
+}
+
+WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplitudes& amplitudes,
+                                   const std::atomic<bool>* stop) {
+  WheelsetConicity out = steering_of(wheelset, amplitudes, stop);
+  warn_of_negative_cone(differences(out.stands));
   out.conformity = conformity_of(wheelset);
   return out;
 }

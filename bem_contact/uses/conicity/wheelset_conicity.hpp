@@ -67,6 +67,10 @@ struct WheelsetConicity {
 WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplitudes& amplitudes = {},
                                    const std::atomic<bool>* stop = nullptr);
 
+/// The same without the conformity and without a warning.
+WheelsetConicity steering_of(const WheelsetOnTrack& wheelset, const Amplitudes& amplitudes = {},
+                             const std::atomic<bool>* stop = nullptr);
+
 /// Columns over the lateral displacement, in the order of the outputs.
 std::span<const ColumnOf<WheelsetStand>> stand_columns();
 /// Columns over the amplitude; nan where there is no motion.

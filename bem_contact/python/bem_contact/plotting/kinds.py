@@ -12,7 +12,7 @@ import h5py
 from ..program import program_file
 from .refusals import InputError, refuse
 
-FORMATS = ("result", "comparison", "sweep", "creep curves", "conicity", "wheelset", "table", "wear", "fatigue")
+FORMATS = ("result", "comparison", "sweep", "creep curves", "conicity map", "conicity", "wheelset", "table", "wear", "fatigue")
 MOST_DEFLATED = 1032  # bytes of one: deflate stores 258 bytes in 2 bits
 CHECKSUM = 4  # bytes of Fletcher's behind each chunk
 HEADS = {"FI_surf": "fatigue", "s_mm,y_mm,z_mm,inclination_rad": "profile table"}
