@@ -1,6 +1,7 @@
 #include "bem_contact/python/functions.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/python/executors.hpp"
 #include "bem_contact/python/record_object.hpp"
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/stoppable.hpp"
@@ -9,13 +10,17 @@
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/uses/conicity/wheelset_conicity.hpp"
 #include "bem_contact/uses/curves/creep_record.hpp"
+#include "bem_contact/uses/sweep/sweep_case.hpp"
 #include "bem_contact/uses/wheelset/quantities.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -72,10 +77,12 @@ std::string profile_named(const py::object& given, const char* what) {
   return py::hasattr(given, "__fspath__") ? path_of(given) : text_of(given, what);
 }
 
-py::dict conicity(const py::object& scene, const py::object& changes, const py::object& left_wheel,
-                  const py::object& left_rail, bool roll, double to, double step, const py::object& folder) {
+/// `scene`: its text for another process (tuple_of()), or None.
+py::dict conicity_of(const py::object& scene, const py::object& changes, const py::object& left_wheel,
+                     const py::object& left_rail, bool roll, double to, double step) {
   const std::vector<SceneChange> list = changes_of(changes);
-  const SceneFile file = scene.is_none() ? scene_without_file(list) : scene_file_of(scene, folder, list);
+  const SceneFile file =
+      scene.is_none() ? scene_without_file(list) : parse_scene_file(scene_text_of(scene), list);
   WheelsetOnTrack wheelset = wheelset_of(file, {.rail = profile_named(left_rail, "left_rail"),
                                                 .wheel = profile_named(left_wheel, "left_wheel")});
   wheelset.rolls = roll;
@@ -83,6 +90,17 @@ py::dict conicity(const py::object& scene, const py::object& changes, const py::
     return wheelset_conicity(wheelset, {.largest = to, .step = step}, stop);
   });
   return as_dict(record_of(found, wheelset));
+}
+
+py::dict conicity(const py::object& scene, const py::object& changes, const py::object& left_wheel,
+                  const py::object& left_rail, bool roll, double to, double step, const py::object& folder,
+                  const py::object& executor) {
+  const py::object text = scene.is_none() ? scene : tuple_of(scene_of(scene, folder));
+  if (executor.is_none())
+    return conicity_of(text, changes, left_wheel, left_rail, roll, to, step);
+  py::list tasks; // one: it is done sooner than a process is started
+  tasks.append(py::make_tuple(text, changes, left_wheel, left_rail, roll, to, step));
+  return run_on(executor, "conicity", tasks)[0];
 }
 
 /// Numbers in a list or an array of one dimension; None: no curve.
@@ -102,16 +120,63 @@ void add_range(std::vector<CreepRange>& ranges, CreepKind kind, const py::object
                 "Give a list or an array, as [0, 1e-3, 2e-3].");
 }
 
+/// HeldContact
+using Held = std::tuple<std::string, double, double, std::optional<double>, std::optional<double>, double>;
+/// Forces, their errors, share of adhesion, certified.
+using SolvedPoint = std::tuple<CreepForceValues, CreepForceValues, double, bool>;
+
+/// In a process or thread of an executor: some points of creep curves.
+std::vector<SolvedPoint> solve_creep_part(const py::tuple& scene, const py::object& changes, const Held& held,
+                                          const std::vector<Creepages>& points) {
+  const SceneFile file = parse_scene_file(scene_text_of(scene), changes_of(changes));
+  const auto& [model, dx, ds, lateral, layer, offset] = held;
+  const HeldContact contact{model_named(model).value(), dx, ds, lateral, layer, offset};
+  std::vector<SolvedPoint> out;
+  for (const CreepPoint& p : stoppable([file, contact, points](const std::atomic<bool>* stop) {
+         return creep_points(file, contact, points, stop);
+       }))
+    out.emplace_back(CreepForceValues{p.forces[0], p.forces[1], p.forces[2]},
+                     CreepForceValues{p.forces[0].error, p.forces[1].error, p.forces[2].error},
+                     p.adhesion_share, p.certified);
+  return out;
+}
+
+/// By chunks, so that what is found does not depend on how many share it.
+CreepSolver points_shared_by(const py::object& executor, const SceneText& scene, const py::object& changes) {
+  return [=](const HeldContact& held, std::span<const Creepages> points) {
+    const Held contact{name_of(held.model),   held.dx,    held.ds, held.lateral,
+                       held.layer_compliance, held.offset};
+    py::list tasks;
+    const std::size_t chunk = chunk_size(points.size());
+    for (std::size_t first = 0; first < points.size(); first += chunk) {
+      const auto some = points.subspan(first, std::min(chunk, points.size() - first));
+      tasks.append(py::make_tuple(tuple_of(scene), changes, contact,
+                                  std::vector<Creepages>(some.begin(), some.end())));
+    }
+    std::vector<CreepPoint> out;
+    for (const py::handle part : run_on(executor, "creep", tasks))
+      for (const auto& [forces, errors, adhesion, certified] : part.cast<std::vector<SolvedPoint>>())
+        out.push_back({0,
+                       {{{forces[0], errors[0]}, {forces[1], errors[1]}, {forces[2], errors[2]}}},
+                       adhesion,
+                       certified});
+    return out;
+  };
+}
+
 py::dict curves(const py::object& scene, const py::object& changes, const py::object& model,
-                const py::object& xi, const py::object& eta, const py::object& phi,
-                const py::object& folder) {
-  const SceneFile file = with_model(scene_file_of(scene, folder, changes_of(changes)), model_of(model));
+                const py::object& xi, const py::object& eta, const py::object& phi, const py::object& folder,
+                const py::object& executor) {
+  const SceneText text = scene_of(scene, folder);
+  const SceneFile file = with_model(parse_scene_file(text, changes_of(changes)), model_of(model));
   std::vector<CreepRange> ranges;
   add_range(ranges, CreepKind::xi, xi);
   add_range(ranges, CreepKind::eta, eta);
   add_range(ranges, CreepKind::phi, phi);
   if (ranges.empty())
     ranges = {{CreepKind::xi, {}}, {CreepKind::eta, {}}, {CreepKind::phi, {}}};
+  if (!executor.is_none())
+    return as_dict(record_of(creep_curves(file, ranges, nullptr, points_shared_by(executor, text, changes))));
   return as_dict(
       record_of(stoppable([=](const std::atomic<bool>* stop) { return creep_curves(file, ranges, stop); })));
 }
@@ -143,23 +208,31 @@ void add_functions(py::module_& module) {
       "most of the difference.");
   module.def("conicity", conicity, "scene"_a = py::none(), "changes"_a = py::none(), py::kw_only(),
              "left_wheel"_a = "", "left_rail"_a = "", "roll"_a = false, "to"_a = 10.0, "step"_a = 1.0,
-             "folder"_a = py::none(),
+             "folder"_a = py::none(), "executor"_a = py::none(),
              "Rolling radius difference and equivalent conicity (EN 15302) of a rigid wheelset. Profiles and "
              "track come from a scene, from `changes`, as {\"wheel.profile\": \"S1002\", \"rail.profile\": "
              "\"60E1\", \"position.rail_inclination\": 0.025}, or from both; paths start at the scene's "
              "folder, without a "
              "scene at the working directory. A left side that differs has names of its own. `roll`: the "
              "wheelset rolls until both wheels stand. Amplitudes: step, 2 step, .. `to`, mm. A dict: "
-             "\"function\" over the lateral displacement, \"conicity\" over the amplitude, mm and rad.");
+             "\"function\" over the lateral displacement, \"conicity\" over the amplitude, mm and rad. "
+             "`executor`: any "
+             "of concurrent.futures does it elsewhere, as one task, because it takes a tenth of a second.");
+  module.def("_conicity_part", conicity_of, "scene"_a, "changes"_a, "left_wheel"_a, "left_rail"_a, "roll"_a,
+             "to"_a, "step"_a);
   module.def(
       "creep_curves", curves, "scene"_a, "changes"_a = py::none(), "model"_a = py::none(), py::kw_only(),
       "xi"_a = py::none(), "eta"_a = py::none(), "phi"_a = py::none(), "folder"_a = py::none(),
+      "executor"_a = py::none(),
       "Forces over creepages. `scene`, `changes`, `model`: as solve() takes them. `xi`, `eta`, `phi`: the "
       "values of a curve over this creepage, the other two being the scene's; without any, three curves "
       "from full slip to full slip. A dict: \"curves\" (a dict of arrays for each creepage), and matrices "
       "[Fx, Fs, Mz][xi, eta, phi]: \"slopes\" without creepage, \"kalker\" (linear theory for the nearest "
       "ellipse, or None), \"sensitivities\" at the scene's creepages, by differences, and \"linearised\", "
-      "by one linear system with the pressure held (or None); \"forces\" there. N, mm.");
+      "by one linear system with the pressure held (or None); \"forces\" there. N, mm. `executor`: any of "
+      "concurrent.futures, or with its methods, shares the points in chunks that start cold: the forces are "
+      "the same within the certificate, and do not depend on how many share them.");
+  module.def("_creep_part", &solve_creep_part, "scene"_a, "changes"_a, "held"_a, "points"_a);
   module.def(
       "wheelset", wheelset, "scene"_a, "changes"_a = py::none(), "model"_a = py::none(), py::kw_only(),
       "folder"_a = py::none(),

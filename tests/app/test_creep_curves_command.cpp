@@ -54,6 +54,20 @@ TEST_F(CreepCurvesCommand, TextJsonCsvAndHdf5AgreeAndTheHelpIsRight) {
   EXPECT_FALSE(text_attribute(table, "commit").empty());
 }
 
+/// Chunks of points start cold, however many processes share them.
+TEST_F(CreepCurvesCommand, SeveralProcessesShareThePoints) {
+  const std::string command = "creep-curves " + rolling + " --xi=-0.001:0.001:9 --json --jobs ";
+  const auto forces = [&](const std::string& jobs) {
+    const Outcome said = run(command + jobs);
+    EXPECT_EQ(said.code, 0) << said.err;
+    return json::parse(said.out)["curves"]["xi"]["Fx"].get<std::vector<double>>();
+  };
+  const std::vector<double> alone = forces("1"), two = forces("2");
+  EXPECT_EQ(two, forces("3"));
+  for (std::size_t i = 0; i < alone.size(); ++i)
+    EXPECT_NEAR(two[i], alone[i], 1e-6 * 1200) << i; // of mu Fn
+}
+
 TEST(CreepRange, IsReadOrRefused) {
   using app::creep_range;
   EXPECT_THAT(creep_range(CreepKind::xi, "auto").values, IsEmpty());

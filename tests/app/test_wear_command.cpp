@@ -173,6 +173,31 @@ TEST_F(WearCommand, GoesOnAfterAStopInTheFirstStep) {
   EXPECT_THAT(run(command + path("later")).err, HasSubstr("exists and is not of this wear"));
 }
 
+/// Chunks of the cases of a step start cold, however many processes share them.
+TEST_F(WearCommand, SeveralProcessesShareTheCasesOfAStep) {
+  std::string many = scene;
+  many.replace(many.find("[0.0, 1.0]"), 10, "[0, 0.5, 1, 1.5, 2, 2.5]");
+  write("scene.toml", many);
+  const auto depths = [&](const std::string& jobs) {
+    const Outcome said =
+        run("wear " + path("scene.toml") + " --depth 0.03 -o " + path(jobs) + " --jobs " + jobs);
+    EXPECT_EQ(said.code, 0) << said.err;
+    return read_h5(path(jobs + "/wear.h5")).datasets.at("rail_depth").values;
+  };
+  const std::vector<double> alone = depths("1"), two = depths("2");
+  EXPECT_EQ(two, depths("3"));
+  EXPECT_EQ(text("2/rail_0001.txt"), text("3/rail_0001.txt"));
+  ASSERT_EQ(two.size(), alone.size());
+  for (std::size_t i = 0; i < alone.size(); ++i)
+    EXPECT_NEAR(two[i], alone[i], 1e-7) << i;
+  // What a process says of its case comes back.
+  many.replace(many.find("2.5]"), 4, "900]");
+  write("bad.toml", many);
+  const Outcome refused = run("wear " + path("bad.toml") + " -o " + path("bad") + " --jobs 2");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_EQ(refused.err, run("wear " + path("bad.toml") + " -o " + path("bad") + " --jobs 1").err);
+}
+
 /// Text, CSV and HDF5 say how each step was smoothed; too much of it is a warning.
 TEST_F(WearCommand, SaysWhatSmoothingTook) {
   write("scene.toml", scene);

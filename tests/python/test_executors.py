@@ -2,7 +2,9 @@
 
 import concurrent.futures
 import multiprocessing
+import os
 import pickle
+import signal
 import tempfile
 import unittest
 from pathlib import Path
@@ -25,6 +27,15 @@ TABLE = PATCH + """motion.xi = 1e-3
 load.force = [4e3, 7e3]
 hold = ["Fx"]
 """
+COLLECTIVE = """rail.profile = "60E1"
+wheel.profile = "S1002"
+load.force = 8e4
+motion = { xi = 2e-3, free_rolling = false }
+solver.model = "halfspace"
+grid = { dx = 2, ds = 1 }
+[sweep]
+position.lateral = [0, 0.5, 1, 1.5, 2, 2.5]
+"""
 WHEELSET = """rail.profile = "60E1"
 wheel.profile = "S1002"
 solver.model = "halfspace"
@@ -35,6 +46,10 @@ wheelset.force = 2e5
 [sweep]
 position.lateral = [-2, -1, 0, 1, 2]
 """
+
+
+def die():
+    os.kill(os.getpid(), signal.SIGKILL)
 
 
 class AtOnce:
@@ -97,6 +112,55 @@ class Executors(unittest.TestCase):
         self.assert_same(shared, bem_contact.table(**creep, executor=AtOnce()))
         self.assertEqual(shared["solved"], bem_contact.table(**creep)["solved"])
 
+    def assert_alike(self, one, other, tolerance=1e-5):
+        self.assertEqual(list(one), list(other))
+        for name, column in one.items():
+            if isinstance(column, dict):
+                self.assert_alike(column, other[name], tolerance)
+            elif isinstance(column, np.ndarray) and not name.endswith("_error") and name != "errors":
+                np.testing.assert_allclose(other[name], column, rtol=0, atol=tolerance * np.max(np.abs(column)), err_msg=name)
+
+    def test_wear_does_not_depend_on_how_many_share_it(self):
+        """Chunks of the cases start cold, so that it is within the certificate what one process finds alone."""
+        for options in ({"body": "wheel"}, {"law": "archard", "hardness": 2000, "speed": 2e4}):
+            shared = bem_contact.wear(COLLECTIVE, 0.03, executor=self.processes, **options)
+            self.assert_same(shared, bem_contact.wear(COLLECTIVE, 0.03, executor=AtOnce(), **options))
+            alone = bem_contact.wear(COLLECTIVE, 0.03, **options)
+            self.assert_alike(alone, shared)
+            self.assertGreater(alone["wheel_depth"].max(), 0.02)
+
+    def test_wear_with_influence_files_of_a_folder(self):
+        folder = Path(__file__).parents[2] / "data/influence"
+        scene = {"rail": {"profile": "60E1", "influence": "small_rail.h5"}, "wheel": {"profile": "S1002", "influence": "small_wheel.h5"},
+                 "solver.model": "fem", "load.force": 1e5, "motion.free_rolling": False, "motion.xi": 1e-3, "grid": {"dx": 1, "ds": 0.5},
+                 "sweep": {"position.lateral": [6.5, 6.6]}}
+        shared = bem_contact.wear(scene, 0.01, folder=folder, executor=self.processes)
+        self.assert_alike(bem_contact.wear(scene, 0.01, folder=folder), shared)
+
+    def test_creep_curves_do_not_depend_on_how_many_share_them(self):
+        for scene in (PATCH + "load.force = 5e3\nlayer.slope = 0.6\n", PATCH + "load.force = 5e3\nmotion.eta = 1e-3\n"):
+            asked = {"changes": {"motion.xi": 5e-4}, "xi": np.linspace(-2e-3, 2e-3, 9), "phi": [0, 1e-4]}
+            alone = bem_contact.creep_curves(scene, **asked)
+            shared = bem_contact.creep_curves(scene, **asked, executor=self.processes)
+            self.assert_same(shared["curves"]["xi"], bem_contact.creep_curves(scene, **asked, executor=AtOnce())["curves"]["xi"])
+            self.assert_alike(alone["curves"], shared["curves"])
+            np.testing.assert_allclose(shared["sensitivities"], alone["sensitivities"], rtol=0, atol=2e-3 * np.max(np.abs(alone["slopes"])))
+
+    def test_a_conicity_is_that_of_one_process(self):
+        changes = {"wheel.profile": "S1002", "rail.profile": "60E1", "position.rail_inclination": 0.025}
+        self.assert_same(bem_contact.conicity(None, changes, to=3), bem_contact.conicity(None, changes, to=3, executor=self.processes))
+
+    def test_work_of_a_worker_that_was_killed_is_not_lost_in_silence(self):
+        """The engine says it, and the same call with another finds the same."""
+        scene = PATCH + "load.force = 5e3\n"
+        with concurrent.futures.ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn")) as doomed:
+            doomed.submit(die)
+            with self.assertRaises(concurrent.futures.BrokenExecutor):
+                bem_contact.creep_curves(scene, xi=[0, 1e-3], executor=doomed)
+            with self.assertRaises(concurrent.futures.BrokenExecutor):
+                bem_contact.wear(COLLECTIVE, 0.02, executor=doomed)
+        self.assert_alike(bem_contact.wear(COLLECTIVE, 0.02), bem_contact.wear(COLLECTIVE, 0.02, executor=self.processes))
+
     def test_an_error_comes_back_as_what_it_was(self):
         with self.assertRaisesRegex(bem_contact.InputError, "The table has no value at position.lateral = 300"):
             bem_contact.table({"rail.profile": "60E1", "wheel.profile": "S1002", "motion.frictionless": True,
@@ -107,6 +171,10 @@ class Executors(unittest.TestCase):
         for wrong in (2, "processes", multiprocessing):
             with self.assertRaisesRegex(TypeError, "no method submit"):
                 bem_contact.sweep(SWEEP, executor=wrong)
+            with self.assertRaisesRegex(TypeError, "no method submit"):
+                bem_contact.wear(COLLECTIVE, executor=wrong)
+            with self.assertRaisesRegex(TypeError, "no method submit"):
+                bem_contact.creep_curves(PATCH + "load.force = 5e3\n", xi=[0], executor=wrong)
 
     def test_a_sequence_can_be_pickled(self):
         with tempfile.TemporaryDirectory() as folder:

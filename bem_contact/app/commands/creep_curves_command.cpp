@@ -2,6 +2,7 @@
 
 #include "bem_contact/app/number_list.hpp"
 #include "bem_contact/app/output/output_names.hpp"
+#include "bem_contact/app/sweep/numbers_by_children.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -14,6 +15,7 @@
 #include "bem_contact/uses/curves/creep_record.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <memory>
@@ -31,7 +33,8 @@ leading minus), or auto. Example:
     bem_contact creep-curves data/scenes/steady_rolling.toml -o creep.h5
 You should see the slopes at zero creepage and spin beside those of Kalker's linear theory for the same ellipse (dFx/dxi
 1.7149e+06 and 1.719e+06 N, a difference of -0.24 %), the sensitivities at the scene's creepages (dFx/dxi 6.092e+05 N),
-and three tables, with a line for each creepage. More, and how to draw them: data/tutorial/creep-curves.md.
+and three tables, with a line for each creepage. With --jobs several processes share the points; then chunks of points start
+cold, and the forces are the same within the certificate, whatever the number of processes. More, and how to draw them: data/tutorial/creep-curves.md.
 
 Exit code 0: every certificate holds; 2: the input is wrong; 3: some point has no certified result.)";
 
@@ -39,6 +42,7 @@ struct CreepArguments {
   std::string scene, model, csv, output;
   std::array<std::string, 3> ranges;
   bool json = false, strict = false;
+  int jobs = 1;
 };
 
 std::vector<CreepRange> ranges_of(const std::array<std::string, 3>& texts) {
@@ -127,12 +131,36 @@ void write_curves(std::ostream& out, const CreepCurves& c) {
   }
 }
 
+CreepSolver creep_points_by_children(const SceneFile& scene, int jobs) {
+  return [&scene, jobs](const HeldContact& held, std::span<const Creepages> points) {
+    const ItemsOfWork work{
+        .count = points.size(),
+        .solve =
+            [&](CaseRange chunk, const ItemsOfWork::Give& give) {
+              for (const CreepPoint& p : creep_points(scene, held, points.subspan(chunk.first, chunk.size())))
+                give({p.forces[0], p.forces[1], p.forces[2], p.forces[0].error, p.forces[1].error,
+                      p.forces[2].error, p.adhesion_share, double(p.certified)});
+            },
+        .name =
+            [&](std::size_t i) {
+              return fmt::format("A point of the creep curves, from xi = {:g}, eta = {:g}, phi = {:g} on,",
+                                 points[i][0], points[i][1], points[i][2]);
+            }};
+    std::vector<CreepPoint> out;
+    for (const std::vector<double>& n : numbers_by_children(work, jobs))
+      out.push_back({0, {{{n[0], n[3]}, {n[1], n[4]}, {n[2], n[5]}}}, n[6], n[7] != 0});
+    return out;
+  };
+}
+
 ExitCode run(const CreepArguments& arguments) {
   const std::vector<CreepRange> ranges = ranges_of(arguments.ranges);
   const GivenScene given =
       read_given_scene_for({{"--output", arguments.output, OutputForm::whole_file}, {"--csv", arguments.csv}},
                            arguments.scene, arguments.model);
-  const CreepCurves curves = creep_curves(given.scene, ranges);
+  const CreepCurves curves =
+      creep_curves(given.scene, ranges, nullptr,
+                   arguments.jobs == 1 ? nullptr : creep_points_by_children(given.scene, arguments.jobs));
   if (arguments.strict)
     refuse_warnings(curves.solution.warnings);
   if (!arguments.output.empty())
@@ -176,6 +204,7 @@ Command add_creep_curves(CLI::App& program) {
   line->add_option("--phi", arguments->ranges[2], "Range of the spin, 1/mm");
   add_model(*line, arguments->model);
   add_strict(*line, arguments->strict);
+  add_jobs(*line, arguments->jobs);
   add_json(*line, arguments->json);
   add_output_option(*line, "--csv", arguments->csv, "Write all curves, one line for each point");
   add_output_option(*line, "-o,--output", arguments->output, "Write all results (HDF5)");

@@ -1,18 +1,15 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/number_list.hpp"
 #include "bem_contact/app/output/output_names.hpp"
-#include "bem_contact/app/sweep/child_processes.hpp"
+#include "bem_contact/app/sweep/numbers_by_children.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
-#include "bem_contact/base/said_by.hpp"
 #include "bem_contact/base/stopwatch.hpp"
-#include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/json.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
-#include "bem_contact/uses/sweep/sweep_case.hpp"
 #include "bem_contact/uses/table/creep_table.hpp"
 #include "bem_contact/uses/table/scene_table.hpp"
 #include "bem_contact/uses/table/table_file.hpp"
@@ -22,13 +19,12 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fstream>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <ostream>
 #include <span>
 #include <spdlog/spdlog.h>
-#include <sstream>
 
 namespace bem_contact::app {
 
@@ -180,98 +176,32 @@ Order scene_order(TableArguments& arguments) {
   return order;
 }
 
-/// Solves the points of a chunk in a child, and writes the numbers of each to a file at once: so their number
-/// says which point was the last. A file beside it says what is wrong.
-int solve_chunk(const table::PointSolver& solve, std::span<const table::Point> points,
-                const std::filesystem::path& file) {
-  const auto fail = [&](ExitCode code, const std::string& why) {
-    std::ofstream(file.string() + ".error") << why;
-    return code;
-  };
-  try {
-    std::ofstream out(file, std::ios::binary);
-    for (const table::Point& point : points) {
-      const table::PointValues found = solve(point);
-      for (const std::vector<double>* numbers : {&found.values, &found.element_errors})
-        out.write(reinterpret_cast<const char*>(numbers->data()),
-                  static_cast<std::streamsize>(numbers->size() * sizeof(double)));
-      if (!out.flush())
-        return fail(unforeseen, "the folder of temporary files may be full");
-    }
-    return success;
-  } catch (const InputError& error) {
-    return fail(wrong_input, error.what());
-  } catch (const ConvergenceError& error) {
-    return fail(no_convergence, error.what());
-  } catch (const std::exception& error) {
-    return fail(unforeseen, said_by(error));
-  }
-}
-
-std::string said_in(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
-/// Ends the table: a solver's own words name the point.
-[[noreturn]] void refuse_point(const table::Point& point, const EndOfChild& end, const std::string& said) {
-  if (end.code == wrong_input)
-    throw InputError(said);
-  if (end.code == no_convergence)
-    throw ConvergenceError(said);
-  const std::string problem =
-      fmt::format("The point ({:.6g}) of the table has no result", fmt::join(point, ", "));
-  if (end.code == unforeseen)
-    throw Error(problem, said,
-                "The machine or the program is to blame: look for free memory, then report it.");
-  // here it would end this process too
-  throw ConvergenceError(problem, end.how,
-                         "If memory ran out, give a smaller --jobs; else solve this point alone to see why.");
-}
-
-/// The points that a child has written.
-std::vector<table::PointValues> points_in(const std::filesystem::path& file, std::size_t columns) {
-  std::vector<table::PointValues> out;
-  std::ifstream in(file, std::ios::binary);
-  const auto read = [&](std::vector<double>& numbers) {
-    numbers.resize(columns);
-    in.read(reinterpret_cast<char*>(numbers.data()), static_cast<std::streamsize>(columns * sizeof(double)));
-  };
-  for (table::PointValues point; read(point.values), read(point.element_errors), in;)
-    out.push_back(point);
-  return out;
-}
-
-/// Solves points in `jobs` processes side by side. `make` gives a solver with a Sequence of its own. Which
-/// points start from which others does not depend on `jobs`.
+/// Solves points in `jobs` processes side by side. `make` gives a solver with a Sequence of its own.
 table::PointsSolver side_by_side(std::function<table::PointSolver()> make, int jobs, std::size_t columns,
                                  std::optional<Progress>& progress) {
   return [make = std::move(make), jobs, columns, &progress](std::span<const table::Point> points) {
-    std::vector<table::PointValues> out(points.size());
-    if (points.empty())
-      return out;
-    progress ? progress->extend(points.size()) : void(progress.emplace("contacts", points.size()));
-    const TemporaryFolder folder;
-    const auto file = [&](CaseRange chunk) { return folder / fmt::format("{}", chunk.first); };
-    const std::size_t length = chunk_size(points.size()), processes = processes_of(jobs);
-    ChildProcesses children;
-    for (std::size_t next = 0; next < points.size() || children.size() > 0;) {
-      if (next < points.size() && children.size() < processes) {
-        const CaseRange chunk{next, std::min(points.size(), next + length)};
-        children.start(chunk, [&, chunk] {
-          return solve_chunk(make(), points.subspan(chunk.first, chunk.size()), file(chunk));
-        });
-        next = chunk.last;
-        continue;
-      }
-      const EndOfChild end = children.wait();
-      const std::vector<table::PointValues> found = points_in(file(end.cases), columns);
-      if (end.code != success)
-        refuse_point(points[std::min(end.cases.first + found.size(), end.cases.last - 1)], end,
-                     said_in(file(end.cases).string() + ".error"));
-      std::ranges::copy(found, out.begin() + static_cast<std::ptrdiff_t>(end.cases.first));
-      progress->step(end.cases.size());
+    if (!points.empty())
+      progress ? progress->extend(points.size()) : void(progress.emplace("contacts", points.size()));
+    const ItemsOfWork work{.count = points.size(),
+                           .solve =
+                               [&](CaseRange chunk, const ItemsOfWork::Give& give) {
+                                 const table::PointSolver solve = make();
+                                 for (const table::Point& point : points.subspan(chunk.first, chunk.size())) {
+                                   table::PointValues found = solve(point);
+                                   std::ranges::copy(found.element_errors, std::back_inserter(found.values));
+                                   give(std::move(found.values));
+                                 }
+                               },
+                           .name =
+                               [&](std::size_t i) {
+                                 return fmt::format("The point ({:.6g}) of the table",
+                                                    fmt::join(points[i], ", "));
+                               },
+                           .done = [&](std::size_t more) { progress->step(more); }};
+    std::vector<table::PointValues> out;
+    for (const std::vector<double>& numbers : numbers_by_children(work, jobs)) {
+      const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(columns);
+      out.push_back({{numbers.begin(), middle}, {middle, numbers.end()}});
     }
     return out;
   };

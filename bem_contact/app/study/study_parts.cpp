@@ -30,15 +30,16 @@ constexpr Part parts_of_studies[] = {
      [](const StudyCase& s) { return !s.has("wheelset") && !s.has("sweep"); }},
     {"wheelset", "Both wheels", "wheelset",
      [](const StudyCase& s) { return s.has("wheelset") && (!s.has("sweep") || takes_one_wheel(s)); }},
-    {"sweep", "All cases", "sweep", [](const StudyCase& s) { return s.has("sweep"); }, false, true},
+    {"sweep", "All cases", "sweep", [](const StudyCase& s) { return s.has("sweep"); }, false, true, true},
     {"compare", "Models of elasticity", "compare", [](const StudyCase& s) { return s.has("compare"); }, true},
     {"conicity", "Conicity", "conicity", [](const StudyCase& s) { return s.has("conicity"); }},
     {"creep_curves", "Creep curves", "creep-curves", [](const StudyCase& s) { return s.has("creep_curves"); },
+     true, true},
+    {"table", "Table of forces", "table", [](const StudyCase& s) { return s.has("table"); }, true, true,
      true},
-    {"table", "Table of forces", "table", [](const StudyCase& s) { return s.has("table"); }, true, true},
     {"fatigue", "Rolling contact fatigue", "fatigue", [](const StudyCase& s) { return s.has("fatigue"); },
      true},
-    {"wear", "Wear", "wear", [](const StudyCase& s) { return s.has("wear"); }},
+    {"wear", "Wear", "wear", [](const StudyCase& s) { return s.has("wear"); }, false, true},
 };
 
 /// One part of a study on its way.
@@ -130,11 +131,11 @@ private:
     out.seconds = state.value("seconds", 0.0);
   }
 
-  /// What was refused costs little, and the reason may lie in what no digest holds. A sweep goes on by
-  /// itself.
+  /// What was refused costs little, and the reason may lie in what no digest holds. A part that
+  /// goes on does so.
   bool may_stay(int code) const {
     const bool there = *part_.command ? file_exists(file_of_result()) : influence_is_there();
-    return code == success ? there : code == no_convergence && !part_.has_jobs;
+    return code == success ? there : code == no_convergence && !part_.goes_on;
   }
   bool influence_is_there() const {
     return std::ranges::all_of(influence_files(),
@@ -161,7 +162,7 @@ private:
       return;
     }
     std::vector<std::string> words{part_.command, scene_.string(), "-o", output().string()};
-    if (part_.has_jobs)
+    if (part_.has_jobs && where_.jobs > 0) // else as the command has it
       words.insert(words.end(), {"--jobs", fmt::format("{}", where_.jobs)});
     if (std::string_view(part_.name) == "sweep")
       words.insert(words.end(), {"--csv", (where_.folder / "sweep.csv").string()});

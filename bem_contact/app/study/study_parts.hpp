@@ -20,6 +20,7 @@ struct Part {
   bool (*asked)(const StudyCase&);
   bool of_one_wheel = false; ///< solves no wheelset: it takes the wheel of wheel_text()
   bool has_jobs = false;     ///< the option --jobs
+  bool goes_on = false;      ///< called again, it may find what was not found
 };
 
 /// All of them, in the order of their work: a later one may use what an earlier one has found.
@@ -43,7 +44,7 @@ std::string status_of(const PartResult& result);
 struct StudyFolder {
   std::filesystem::path scene;          ///< file of the scene
   std::filesystem::path folder;         ///< of the answers
-  int jobs = 0;                         ///< processes of a part
+  int jobs = 0;                         ///< processes of a part; 0: what its command takes by itself
   std::vector<std::string> wanted = {}; ///< parts; empty: all that the scene asks for
 
   std::filesystem::path parts() const { return folder / "parts"; }

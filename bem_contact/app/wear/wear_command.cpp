@@ -1,4 +1,5 @@
 #include "bem_contact/app/command.hpp"
+#include "bem_contact/app/sweep/numbers_by_children.hpp"
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/app/wear/one_contact.hpp"
 #include "bem_contact/app/wear/wear_influence.hpp"
@@ -7,6 +8,7 @@
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/file_lock.hpp"
+#include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/record/error_text.hpp"
@@ -37,6 +39,8 @@ repeated until --depth is reached. Example:
     bem_contact wear data/scenes/wear_collective.toml -o worn --depth 0.2
 You should see one line for each step. The folder has the profiles of each step (rail_0001.txt, wheel_0001.txt), wear.csv
 and wear.h5. If the program is stopped, give the same command again: it goes on after the last finished step.
+With --jobs several processes share the cases of a step; then chunks of cases start cold, and the wear is the same within the
+certificate, whatever the number of processes.
 
 A scene without [sweep] is one contact, or both wheels of a wheelset. What it wears away is printed, by km of the wheel and by
 a million axles and a million gross tonnes (MGT) on the rail; the profiles stay. Example:
@@ -48,6 +52,7 @@ data/scenes/README.md.)";
 struct WearArguments {
   std::string scene, output, model, influence;
   bool json = false;
+  int jobs = 1;
   wear::StudyOptions study;
 
   /// All that the result depends on but the cases, --depth and --influence: a run may go deeper later.
@@ -107,13 +112,60 @@ ExitCode run(const WearArguments& arguments) {
                                          arguments.study});
 }
 
+void add_numbers(const wear::DepthOverS& depths, std::vector<double>& numbers) {
+  numbers.insert(numbers.end(), {double(depths.s.size()), depths.width});
+  numbers.insert(numbers.end(), depths.s.begin(), depths.s.end());
+  numbers.insert(numbers.end(), depths.depth.begin(), depths.depth.end());
+}
+
+/// The next depths in `numbers`, which moves on.
+wear::DepthOverS depths_in(std::span<const double>& numbers) {
+  const auto size = static_cast<std::size_t>(numbers[0]);
+  const auto s = numbers.subspan(2, size), depth = numbers.subspan(2 + size, size);
+  const wear::DepthOverS out{{s.begin(), s.end()}, {depth.begin(), depth.end()}, numbers[1]};
+  numbers = numbers.subspan(2 + 2 * size);
+  return out;
+}
+
+wear::CasesSolver wear_by_children(const wear::Study& study, const std::filesystem::path& folder, int jobs) {
+  return [&study, folder, jobs](const wear::WornPair& now, const wear::KeptPair& influence) {
+    const std::span<const wear::CollectiveCase> cases = study.cases;
+    const ItemsOfWork work{
+        .count = cases.size(),
+        .solve =
+            [&](CaseRange chunk, const ItemsOfWork::Give& give) {
+              for (const wear::CaseWear& one : wear::wear_of_cases(
+                       now, cases.subspan(chunk.first, chunk.size()), study.options, folder, influence)) {
+                std::vector<double> numbers;
+                add_numbers(one.rail, numbers);
+                add_numbers(one.wheel, numbers);
+                give(std::move(numbers));
+              }
+            },
+        .name =
+            [&](std::size_t i) {
+              return fmt::format("A case of the load collective, from lateral displacement {:g} mm on,",
+                                 cases[i].scene.position.lateral);
+            }};
+    std::vector<wear::CaseWear> out;
+    for (const std::vector<double>& numbers : numbers_by_children(work, jobs)) {
+      std::span<const double> rest = numbers;
+      wear::DepthOverS rail = depths_in(rest);
+      out.push_back({std::move(rail), depths_in(rest)});
+    }
+    return out;
+  };
+}
+
 ExitCode study(const WearArguments& arguments, const SceneText& scene) {
   const SweepFile sweep = parse_sweep_file(scene);
   check_values(sweep);
-  const wear::Study study = wear::study_of(sweep, arguments.model, arguments.study);
+  wear::Study study = wear::study_of(sweep, arguments.model, arguments.study);
   const std::string digest = digest_of(sweep, arguments.digest_text(study.scene().wear));
   const std::filesystem::path folder = arguments.output;
   make_folder(folder);
+  if (arguments.jobs != 1)
+    study.options.solve = wear_by_children(study, folder, arguments.jobs);
   const LockFile lock(folder / lock_file_name, "Wait for it, or give another folder.");
   if (!lock.warning().empty())
     warn({lock.warning()});
@@ -177,6 +229,7 @@ Command add_wear(CLI::App& program) {
       "Program that computes new influence functions where they are needed, such as tools/influence: "
       "called with a body file and the file to write");
   add_model(*line, a.model);
+  add_jobs(*line, a.jobs);
   line->add_option("--law", a.study.law, "Wear law; energy: T-gamma")
       ->check(CLI::IsMember(wear::law_names))
       ->capture_default_str();

@@ -218,6 +218,7 @@ def conicity(
     to: float = 10.0,
     step: float = 1.0,
     folder: str | PathLike[str] | None = None,
+    executor: Executor | None = None,
 ) -> dict[str, Any]:
     """Rolling radius difference and equivalent conicity (EN 15302) of a wheelset: a dict of NumPy arrays.
 
@@ -233,6 +234,7 @@ def creep_curves(
     eta: Any = None,
     phi: Any = None,
     folder: str | PathLike[str] | None = None,
+    executor: Executor | None = None,
 ) -> dict[str, Any]:
     """Forces over creepages (each of xi, eta, phi: values, or None), slopes at zero, sensitivities; NumPy arrays.
 
@@ -308,6 +310,7 @@ def wear(
     kept_turn: float = ...,
     model: _Model = None,
     folder: str | PathLike[str] | None = None,
+    executor: Executor | None = None,
 ) -> dict[str, NDArray[Any]]:
     """Profiles worn under the load collective of a scene's table [sweep]: mileage, depths, areas, profiles by step."""
 

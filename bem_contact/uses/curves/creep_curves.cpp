@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/sequence/plan/hertz_model.hpp"
 #include "bem_contact/sequence/quantities.hpp"
+#include "bem_contact/sequence/shared_files.hpp"
 #include "bem_contact/uses/curves/linearised.hpp"
 
 #include <algorithm>
@@ -106,68 +107,81 @@ void require_creepages(const SceneFile& scene, std::span<const CreepRange> range
                      "Give fewer, or use bem_contact sweep.");
 }
 
-/// The same contact with other creepages: all else of the scene is fixed, so that points differ by nothing
-/// but their creepages.
-class Contact {
-public:
-  Contact(Sequence& sequence, const SceneFile& scene, const std::atomic<bool>* stop)
-      : sequence_(sequence), scene_(scene), stop_(stop) {
-    first_ = sequence.solve(scene, stop);
-    scene_ =
-        with_elements(with_model(scene, first_.choice.model), first_.problem.grid.dx, first_.problem.grid.ds);
-    scene_.stresses.depths.clear();
-    scene_.motion.free_rolling = false;
-    if (scene.load.force_y)
-      scene_ = with_lateral(scene_, first_.motion.lateral.value_or(scene.position.lateral));
-    if (scene.motion.from_free_rolling) {
-      scene_.motion.from_free_rolling = false;
-      offset_ = first_.motion.xi - scene.motion.xi;
-    }
-  }
+HeldContact held_by(const SceneFile& scene, const SceneResult& first) {
+  HeldContact out{.model = first.choice.model,
+                  .dx = first.problem.grid.dx,
+                  .ds = first.problem.grid.ds,
+                  .lateral = {},
+                  .layer_compliance = {}};
+  if (scene.load.force_y)
+    out.lateral = first.motion.lateral.value_or(scene.position.lateral);
+  if (scene.layer.slope && !first.layer.shear.empty())
+    out.layer_compliance = first.layer.shear.front();
+  if (scene.motion.from_free_rolling)
+    out.offset = first.motion.xi - scene.motion.xi;
+  return out;
+}
 
-  const SceneResult& first() const { return first_; }
-  Creepages asked() const { return {scene_.motion.xi, scene_.motion.eta, scene_.motion.phi}; }
-  /// Free rolling, as motion.xi counts it; 0 for a patch.
-  double free_xi() const {
-    return offset_ != 0 || !first_.motion.free_rolling ? 0 : first_.motion.free_rolling->xi.value;
+SceneFile held_scene(const SceneFile& given, const HeldContact& held) {
+  SceneFile scene = with_elements(with_model(given, held.model), held.dx, held.ds);
+  scene.stresses.depths.clear();
+  scene.motion.free_rolling = scene.motion.from_free_rolling = false;
+  if (held.lateral)
+    scene = with_lateral(scene, *held.lateral);
+  if (held.layer_compliance) {
+    scene.layer.slope.reset();
+    scene.layer.compliance = held.layer_compliance;
   }
-  SceneFile scene_at(const Creepages& creepages) const {
-    SceneFile scene = scene_;
-    scene.motion.xi = creepages[0] + offset_;
-    scene.motion.eta = creepages[1];
-    scene.motion.phi = creepages[2];
-    return scene;
-  }
-  SceneResult at(const Creepages& creepages) { return sequence_.solve(scene_at(creepages), stop_); }
+  return scene;
+}
 
-private:
-  Sequence& sequence_;
-  SceneFile scene_;
-  SceneResult first_;
-  const std::atomic<bool>* stop_;
-  double offset_ = 0; ///< of free rolling, where motion.xi counts from there
-};
+SceneFile scene_at(const SceneFile& held_scene, double offset, const Creepages& creepages) {
+  SceneFile scene = held_scene;
+  scene.motion.xi = creepages[0] + offset;
+  scene.motion.eta = creepages[1];
+  scene.motion.phi = creepages[2];
+  return scene;
+}
+
+std::vector<CreepPoint> points_by(Sequence& sequence, const SceneFile& given, const HeldContact& held,
+                                  std::span<const Creepages> points, const std::atomic<bool>* stop) {
+  const SceneFile scene = held_scene(given, held);
+  std::vector<CreepPoint> out;
+  for (const Creepages& at : points) {
+    const SceneResult r = sequence.solve(scene_at(scene, held.offset, at), stop);
+    out.push_back({0, forces_of(r), r.result.totals.adhesion_share, r.result.trust.certificate.holds()});
+  }
+  return out;
+}
+
+constexpr double step_shares[] = {1, 0.5}; ///< of the steps of differences
+constexpr std::size_t points_of_derivatives = 2 * std::size(step_shares) * std::size(kinds);
+
+/// The points that derivatives() takes: for each creepage up and down by the step, and by half of it.
+void add_difference_points(std::vector<Creepages>& points, const Creepages& at, const Creepages& steps) {
+  for (const CreepKind kind : kinds)
+    for (const double share : step_shares)
+      for (const double sign : {1, -1}) {
+        points.push_back(at);
+        points.back()[index(kind)] += sign * share * steps[index(kind)];
+      }
+}
 
 /// `order`: of the leading error in the step, which two steps take out. 2 where forces are smooth. At zero
 /// creepage slip begins at both sides of zero, and the error has order 1.
-CreepDerivatives derivatives(Contact& contact, const Creepages& at, const Creepages& steps, int order) {
+CreepDerivatives derivatives(std::span<const CreepPoint> points, const Creepages& steps, int order) {
   CreepDerivatives out;
-  const auto difference = [&](CreepKind kind, double h) {
-    Creepages up = at, down = at;
-    up[index(kind)] += h, down[index(kind)] -= h;
-    const MeasuredCreepForces a = forces_of(contact.at(up)), b = forces_of(contact.at(down));
-    CreepForceValues slope{};
-    for (std::size_t i = 0; i < slope.size(); ++i)
-      slope[i] = (a[i] - b[i]) / (2 * h);
-    return slope;
-  };
   const double gain = std::pow(2, order) - 1;
   for (const CreepKind kind : kinds) {
     const std::size_t k = index(kind);
-    const CreepForceValues whole = difference(kind, steps[k]), half = difference(kind, 0.5 * steps[k]);
-    for (std::size_t i = 0; i < whole.size(); ++i) {
-      out.values[i][k] = half[i] + (half[i] - whole[i]) / gain;
-      out.errors[i][k] = std::abs(half[i] - whole[i]);
+    const auto slope = [&](std::size_t which, std::size_t i) {
+      const CreepPoint* up = &points[2 * (std::size(step_shares) * k + which)];
+      return (up[0].forces[i] - up[1].forces[i]) / (2 * step_shares[which] * steps[k]);
+    };
+    for (std::size_t i = 0; i < out.values.size(); ++i) {
+      const double whole = slope(0, i), half = slope(1, i);
+      out.values[i][k] = half + (half - whole) / gain;
+      out.errors[i][k] = std::abs(half - whole);
     }
   }
   return out;
@@ -182,21 +196,18 @@ Creepages saturation(const CreepCurves& c, const SceneFile& scene) {
   return {c.bound / slopes[0][0], c.bound / slopes[1][1], c.bound / slopes[1][2]};
 }
 
-CreepCurve curve_of(Contact& contact, const CreepRange& range, const Creepages& scale) {
-  const std::size_t k = index(range.which);
+/// The values of a curve; `middle`: of those that are chosen here.
+std::vector<double> values_of(const CreepRange& range, double middle, const Creepages& scale) {
   std::vector<double> values = range.values;
-  const double middle = range.which == CreepKind::xi ? contact.free_xi() : 0;
   for (int i = 0; range.values.empty() && i < automatic_points; ++i)
-    values.push_back(middle + automatic_reach * scale[k] * (2.0 * i / (automatic_points - 1) - 1));
-  CreepCurve curve{range.which, {}};
-  for (const double value : values) {
-    Creepages creepages = contact.asked();
-    creepages[k] = value;
-    const SceneResult r = contact.at(creepages);
-    curve.points.push_back(
-        {value, forces_of(r), r.result.totals.adhesion_share, r.result.trust.certificate.holds()});
-  }
-  return curve;
+    values.push_back(middle +
+                     automatic_reach * scale[index(range.which)] * (2.0 * i / (automatic_points - 1) - 1));
+  return values;
+}
+
+/// Free rolling, as motion.xi counts it; 0 for a patch.
+double free_xi(const SceneResult& first, const HeldContact& held) {
+  return held.offset != 0 || !first.motion.free_rolling ? 0 : first.motion.free_rolling->xi.value;
 }
 
 } // namespace
@@ -208,36 +219,64 @@ bool CreepCurves::certified() const {
          });
 }
 
+std::vector<CreepPoint> creep_points(const SceneFile& scene, const HeldContact& held,
+                                     std::span<const Creepages> points, const std::atomic<bool>* stop) {
+  Sequence sequence({.displacements = false}, shared_files());
+  return points_by(sequence, scene, held, points, stop);
+}
+
 CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ranges,
-                         const std::atomic<bool>* stop) {
+                         const std::atomic<bool>* stop, const CreepSolver& solve) {
   require_creepages(scene, ranges);
   const auto files = std::make_shared<SequenceFiles>();
   Sequence sequence({.displacements = false}, files);
-  Contact contact(sequence, scene, stop);
   CreepCurves out;
-  out.solution = contact.first();
+  out.solution = sequence.solve(scene, stop);
   out.bound = friction_bound(out.solution.problem, out.solution.result);
   if (!(out.bound > 0))
     throw InputError("This scene has no creep curves", "its bodies do not touch, or their friction is zero",
                      "Press them together, and set motion.friction.");
   out.linear = linear_theory(out.solution, scene.rail.material, scene.wheel.material);
   out.radius = out.linear ? out.linear->c() : std::sqrt(out.solution.result.totals.area / std::numbers::pi);
-  const Creepages scale = saturation(out, scene), asked = contact.asked();
+  const HeldContact held = held_by(scene, out.solution);
+  const Creepages scale = saturation(out, scene), asked{scene.motion.xi, scene.motion.eta, scene.motion.phi},
+                  rigid = rigid_creepages(out.solution);
   const auto part = [&](double share) {
     return Creepages{share * scale[0], share * scale[1], share * scale[2]};
   };
-  out.sensitivities = derivatives(contact, asked, part(sensitivity_step), 2);
-  out.linearised =
-      linearised_sensitivities(contact.scene_at(asked), out.solution, part(sensitivity_step), *files);
-  const Creepages rigid = rigid_creepages(out.solution);
-  const double found = out.solution.result.totals.creepage_x;
   Creepages none{};
   for (const CreepKind kind : kinds)
     none[index(kind)] = asked[index(kind)] - rigid[index(kind)];
-  none[0] -= found;
-  out.slopes = derivatives(contact, none, part(slope_step), 1);
-  for (const CreepRange& range : ranges)
-    out.curves.push_back(curve_of(contact, range, scale));
+  none[0] -= out.solution.result.totals.creepage_x;
+  std::vector<Creepages> points;
+  add_difference_points(points, asked, part(sensitivity_step));
+  add_difference_points(points, none, part(slope_step));
+  for (const CreepRange& range : ranges) {
+    out.curves.push_back({range.which, {}});
+    for (const double value : values_of(range, free_xi(out.solution, held), scale)) {
+      out.curves.back().points.push_back({.creepage = value});
+      points.push_back(asked);
+      points.back()[index(range.which)] = value;
+    }
+  }
+  const std::vector<CreepPoint> solved =
+      solve ? solve(held, points) : points_by(sequence, scene, held, points, stop);
+  std::span<const CreepPoint> rest = solved;
+  const auto next = [&](std::size_t count) {
+    const auto some = rest.first(count);
+    rest = rest.subspan(count);
+    return some;
+  };
+  out.sensitivities = derivatives(next(points_of_derivatives), part(sensitivity_step), 2);
+  out.slopes = derivatives(next(points_of_derivatives), part(slope_step), 1);
+  for (CreepCurve& curve : out.curves)
+    for (CreepPoint& point : curve.points) {
+      const double creepage = point.creepage;
+      point = next(1).front();
+      point.creepage = creepage;
+    }
+  out.linearised = linearised_sensitivities(scene_at(held_scene(scene, held), held.offset, asked),
+                                            out.solution, part(sensitivity_step), *files);
   return out;
 }
 

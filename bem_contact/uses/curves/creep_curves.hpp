@@ -5,6 +5,7 @@
 #include "bem_contact/uses/curves/creep_state.hpp"
 
 #include <atomic>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -74,12 +75,34 @@ struct CreepCurves {
   bool certified() const; ///< the solution and every point
 };
 
-/// Solves one scene in steady rolling for all points of all curves, each from the one before. The wheelset
-/// stays where it is: the displacement of a lateral force (load.force_y) and the creepage of free rolling are
-/// found once and kept, and the elements keep their size. Throws InputError for a scene
+/// What the first solution of a scene finds, and all points keep: so they differ by nothing but their
+/// creepages.
+struct HeldContact {
+  Model model = Model::halfspace;
+  double dx = 0, ds = 0;                  ///< size of the elements, mm
+  std::optional<double> lateral;          ///< of a lateral force, mm
+  std::optional<double> layer_compliance; ///< of layer.slope, mm^3/N
+  double offset = 0;                      ///< of free rolling, where motion.xi counts from there
+
+  bool operator==(const HeldContact&) const = default;
+};
+
+/// Solves points of the same scene: what each has but its `creepage`.
+using CreepSolver =
+    std::function<std::vector<CreepPoint>(const HeldContact& held, std::span<const Creepages> points)>;
+
+/// Solves points of a scene, each from the one before; the first starts cold. Throws as creep_curves() does.
+std::vector<CreepPoint> creep_points(const SceneFile& scene, const HeldContact& held,
+                                     std::span<const Creepages> points,
+                                     const std::atomic<bool>* stop = nullptr);
+
+/// Solves one scene in steady rolling for all points of all curves, each from the one before, or by `solve`.
+/// The wheelset stays where it is: the displacement of a lateral force (load.force_y), the creepage of free
+/// rolling and the compliance of a layer's slope are found once and kept, and the elements keep their size.
+/// Throws InputError for a scene
 /// without friction, one that is no steady rolling, or one that prescribes shear forces; ConvergenceError as
 /// Sequence::solve() does, and Stopped where another thread sets `stop`.
 CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ranges,
-                         const std::atomic<bool>* stop = nullptr);
+                         const std::atomic<bool>* stop = nullptr, const CreepSolver& solve = nullptr);
 
 } // namespace bem_contact

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace bem_contact::wear {
 
@@ -70,9 +71,9 @@ double WornBody::largest() const {
   return *std::ranges::max_element(depth);
 }
 
-std::vector<CollectiveCase> collective_of(const SweepFile& sweep, const std::string& model) {
+std::vector<CollectiveCase> collective_of(const SweepFile& sweep, CaseRange cases, const std::string& model) {
   std::vector<CollectiveCase> out;
-  for (std::size_t i = 0; i < sweep.size(); ++i)
+  for (std::size_t i = cases.first; i < cases.last; ++i)
     out.push_back({with_model(sweep.scene(i), model), sweep.weight(i)});
   return out;
 }
@@ -95,18 +96,16 @@ KeptPair unworn_influence(const SceneFile& scene, const WornPair& unworn) {
           kept(scene.wheel, ProfileKind::wheel, unworn.wheel)};
 }
 
-WornPair wear_step(const WornPair& now, const std::vector<CollectiveCase>& cases,
-                   const EvolutionOptions& options, double until, const std::filesystem::path& folder,
-                   const KeptPair& influence) {
-  require_kept("rail", influence.rail, now.rail.points, options.kept_turn);
-  require_kept("wheel", influence.wheel, now.wheel.points, options.kept_turn);
+void write_profiles(const WornPair& now, const std::filesystem::path& folder) {
   write_profile(folder / "rail.txt", now.rail.points);
   write_profile(folder / "wheel.txt", now.wheel.points);
+}
+
+std::vector<CaseWear> wear_of_cases(const WornPair& now, std::span<const CollectiveCase> cases,
+                                    const EvolutionOptions& options, const std::filesystem::path& folder,
+                                    const KeptPair& influence) {
   Sequence sequence({.displacements = false, .own_shape = false});
-  Depths rail(now.rail.points), wheel(now.wheel.points);
-  double weights = 0;
-  for (const CollectiveCase& one : cases)
-    weights += one.weight;
+  std::vector<CaseWear> out;
   for (const CollectiveCase& one : cases) {
     SceneFile scene = one.scene;
     const bool files = needs_influence(scene);
@@ -118,9 +117,27 @@ WornPair wear_step(const WornPair& now, const std::vector<CollectiveCase>& cases
                              fmt::format("lateral displacement {:g} mm, {:g} revolutions so far",
                                          scene.position.lateral, now.revolutions),
                              "Solve it alone with these profiles to see why.");
-    const Wear wear = wear_of(result, options.law);
-    rail.add(wear.rail, options.passages * one.weight / weights, options.smoothing);
-    wheel.add(wear.wheel, one.weight / weights, options.smoothing);
+    Wear wear = wear_of(result, options.law);
+    out.push_back({std::move(wear.rail), std::move(wear.wheel)});
+  }
+  return out;
+}
+
+WornPair wear_step(const WornPair& now, const std::vector<CollectiveCase>& cases,
+                   const EvolutionOptions& options, double until, const std::filesystem::path& folder,
+                   const KeptPair& influence) {
+  require_kept("rail", influence.rail, now.rail.points, options.kept_turn);
+  require_kept("wheel", influence.wheel, now.wheel.points, options.kept_turn);
+  write_profiles(now, folder);
+  const std::vector<CaseWear> found =
+      options.solve ? options.solve(now, influence) : wear_of_cases(now, cases, options, folder, influence);
+  Depths rail(now.rail.points), wheel(now.wheel.points);
+  double weights = 0;
+  for (const CollectiveCase& one : cases)
+    weights += one.weight;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    rail.add(found[i].rail, options.passages * cases[i].weight / weights, options.smoothing);
+    wheel.add(found[i].wheel, cases[i].weight / weights, options.smoothing);
   }
   double times = std::numeric_limits<double>::infinity();
   const auto limit = [&](const WornBody& body, const Depths& rate) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,6 +22,15 @@ struct CollectiveCase {
   double weight = 1; ///< > 0
 };
 
+/// What one case takes off both bodies, mm: off the rail in a passage, off the wheel in a revolution.
+struct CaseWear {
+  DepthOverS rail, wheel;
+};
+
+struct WornPair;
+/// Solves all cases of a step with these profiles, and returns what each takes off.
+using CasesSolver = std::function<std::vector<CaseWear>(const WornPair& now, const KeptPair& influence)>;
+
 /// How profiles wear under a collective.
 struct EvolutionOptions {
   Law law = EnergyLaw{};          ///< of both bodies
@@ -32,6 +42,8 @@ struct EvolutionOptions {
   double kept_turn = usual_kept_turn; ///< influence functions are kept up to this turn_between(), rad
   /// A step ends with Stopped soon after another thread sets it. Null: nobody does.
   const std::atomic<bool>* stop = nullptr;
+  /// Has others share the cases of a step. Null: each is solved here, from the one before.
+  CasesSolver solve = nullptr;
 };
 
 /// What has become of one body.
@@ -54,8 +66,8 @@ struct WornPair {
   double largest() const { return std::max(rail.largest(), wheel.largest()); } ///< depth of both, mm
 };
 
-/// The cases of a sweep with their weights; `model`: instead of the scenes' own, "": none.
-std::vector<CollectiveCase> collective_of(const SweepFile& sweep, const std::string& model);
+/// Some cases of a sweep with their weights; `model`: instead of the scenes' own, "": none.
+std::vector<CollectiveCase> collective_of(const SweepFile& sweep, CaseRange cases, const std::string& model);
 
 /// The unworn bodies of a scene.
 WornPair unworn(const SceneFile& scene);
@@ -64,7 +76,16 @@ WornPair unworn(const SceneFile& scene);
 /// not of the scene's profiles.
 KeptPair unworn_influence(const SceneFile& scene, const WornPair& unworn);
 
-/// Solves every case with the profiles of `now`, which are written into `folder` as rail.txt and wheel.txt.
+/// Writes the profiles of `now` into `folder`, where wear_of_cases() reads them: rail.txt and wheel.txt.
+void write_profiles(const WornPair& now, const std::filesystem::path& folder);
+
+/// Solves some cases of a step, each from the one before, with the profiles of `now` that are in `folder`.
+/// Throws as wear_step() does.
+std::vector<CaseWear> wear_of_cases(const WornPair& now, std::span<const CollectiveCase> cases,
+                                    const EvolutionOptions& options, const std::filesystem::path& folder,
+                                    const KeptPair& influence);
+
+/// Solves every case with the profiles of `now`, which are written into `folder`.
 /// Then moves the profiles of the bodies that wear (explicit Euler, first order in the length of the step).
 /// The step takes off `cap` at the deepest place, or less if the largest depth reaches `until`, mm. Throws
 /// InputError for wrong scenes, and for influence functions that the shape has outgrown; ConvergenceError

@@ -11,7 +11,7 @@ Study study_of(const SweepFile& sweep, const std::string& model, const StudyOpti
   if (std::ranges::find(body_names, asked.body) == body_names.end())
     throw InputError(fmt::format("There is no body '{}'", asked.body), "there are rail and wheel",
                      "Give both, rail or wheel.");
-  Study out{collective_of(sweep, model), asked.steps, asked.depth};
+  Study out{collective_of(sweep, sweep.all(), model), asked.steps, asked.depth};
   out.options.law = law_named(asked.law, asked.hardness, asked.speed, wear_map_of(out.scene()));
   out.options.rail = asked.body != "wheel";
   out.options.wheel = asked.body != "rail";

@@ -148,6 +148,32 @@ TEST(CreepCurves, TheLinearSystemGivesTheSensitivities) {
   }
 }
 
+/// The compliance of a layer's slope is found once and held: all points are those of a layer that is given.
+/// Points that others solve are the same.
+TEST(CreepCurves, TheLayerOfASlopeIsFoundOnce) {
+  const SceneFile asked =
+      parse_scene_file("kind = \"patch\"\nlayer.slope = 0.5\n[load]\nforce = 4000\n[motion]\nfriction = "
+                       "0.3\nxi = 1e-3\n[grid]\n"
+                       "dx = 0.4\nds = 0.4\nmx = 20\nms = 14\n[gap]\na = 1e-3\nb = 2e-3\n");
+  const std::vector<CreepRange> ranges{{CreepKind::xi, {0, 5e-4, 1e-3}}};
+  std::vector<HeldContact> held;
+  const CreepCurves c = creep_curves(asked, ranges, nullptr,
+                                     [&](const HeldContact& contact, std::span<const Creepages> points) {
+                                       held.push_back(contact);
+                                       EXPECT_EQ(points.size(), 12u + 12u + 3u);
+                                       return creep_points(asked, contact, points);
+                                     });
+  ASSERT_EQ(held.size(), 1u);
+  ASSERT_TRUE(held.front().layer_compliance);
+  EXPECT_EQ(*held.front().layer_compliance, c.solution.layer.shear.front());
+  SceneFile given = asked;
+  given.layer.slope.reset();
+  given.layer.compliance = held.front().layer_compliance;
+  for (const CreepCurves& other : {curves(given, ranges), curves(asked, ranges)})
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_NEAR(c.curves.front().points[i].forces[Fx], other.curves.front().points[i].forces[Fx], 1e-3);
+}
+
 /// With nothing slipping, they are the slopes; in full slip along x, dFs/deta = mu Fn / xi and dFx/dxi = 0.
 TEST(CreepCurves, TheLinearSystemIsExactAtBothEnds) {
   const CreepCurves rest = curves(hertz(20, 2e-3, "xi = 1e-9\n"));
