@@ -129,8 +129,8 @@ TEST(Wheelset, YawedOnRollersItStandsAsBodiesOfRevolutionDo) {
     position.lateral = pose.lateral, position.roll = pose.roll;
     const double found = brute.search(position, place(position, rail, wheel), 0.5).front().distance;
     EXPECT_NEAR(wheels.lowered(side, pose.lateral, pose.roll), found, 2e-6);
-    EXPECT_NEAR(r.state.solved(side).result.approach, pose.vertical - found, 2e-6);
-    EXPECT_GT(std::abs(r.state.solved(side).reference.x), 0.5) << "yaw moves them";
+    EXPECT_NEAR(r.state.solved(side).result.totals.approach, pose.vertical - found, 2e-6);
+    EXPECT_GT(std::abs(r.state.solved(side).motion.reference.x), 0.5) << "yaw moves them";
     const Wrench& w = r.state.wrench(side);
     // The axis of the rollers: parallel to y through x = 0, so far below the axle.
     const double below = 400 - (pose.vertical - 460);
