@@ -28,6 +28,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace py = pybind11;
 
@@ -165,6 +166,26 @@ void add_quantities(ResultClass& c) {
       });
 }
 
+/// The stub of all numbers and arrays of quantities.hpp. The build writes it beside that of the package. A
+/// number that a result may not have says so by the word "nan" in its meaning.
+std::string stub_of_numbers() {
+  std::string out =
+      "from typing import Final\n\nimport numpy as np\nfrom numpy.typing import NDArray\n\n"
+      "class Numbers:\n    \"\"\"Numbers and arrays of a result. An error is absolute.\"\"\"\n\n";
+  const auto add = [&](const std::string& name, const char* type, const std::string& meaning) {
+    out += "    " + name + ": Final[" + type + "]\n    \"\"\"" + meaning + "\"\"\"\n";
+  };
+  with_errors(quantities(), [&](const std::string& name, const Unit& unit, auto, const char* meaning) {
+    const bool may_miss = std::string_view(meaning).find("nan") != std::string_view::npos;
+    add(name, may_miss ? "float | None" : "float", doc_of(meaning, unit));
+  });
+  for (const ElementQuantity& q : element_quantities())
+    add(q.name, "NDArray[np.float64]", doc_of(q.meaning, q.unit, ", [ms][mx]"));
+  for (const RowQuantity& q : row_quantities())
+    add(q.name, "NDArray[np.float64]", doc_of(q.meaning, q.unit, ", [ms]"));
+  return out;
+}
+
 /// Names that numbers had before 0.2.
 void add_former_names(ResultClass& c) {
   c.def_property_readonly(
@@ -296,6 +317,7 @@ PYBIND11_MODULE(_core, m) {
   m.doc() = "The compiled part of the package bem_contact.";
   m.attr("__version__") = std::string(version());
   m.attr("__commit__") = std::string(commit());
+  m.def("_stub_of_numbers", stub_of_numbers);
   add_exceptions(m);
   ResultClass result(m, "One scene solved with one model. Arrays are copies. Can be copied and pickled.");
   add_quantities(result);

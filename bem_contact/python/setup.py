@@ -37,7 +37,7 @@ class BuildWithCMake(build_py):
                 run("cmake", "--build", build)
             run("cmake", "--install", build, "--prefix", prefix)
             installed = next(prefix.glob("lib/**/bem_contact/__init__.py")).parent
-            for file in installed.glob("_core*.so"):
+            for file in (*installed.glob("_core*.so"), installed / "_numbers.pyi"):
                 shutil.copy2(file, package)
             # By the name under which it is loaded, libbem_contact_h5.so.MAJOR.MINOR.
             library = min(prefix.glob("lib/**/libbem_contact_h5.so.*"), key=lambda file: len(file.name))

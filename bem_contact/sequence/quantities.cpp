@@ -89,7 +89,7 @@ constexpr Quantity known_quantities[] = {
     {"Fs", newton, "shear force along the tangent at the reference point", of_totals<&ContactTotals::Fs>},
     {"Mz", moment_unit, "on the rail, about the vertical axis through the reference point",
      [](const SceneResult& r) { return r.moment; }},
-    {"lateral", mm, "lateral displacement of the wheelset, given or found for load.force_y",
+    {"lateral", mm, "lateral displacement of the wheelset, given or found for load.force_y; nan: of a patch",
      [](const SceneResult& r) {
        const auto& found = r.motion.found_lateral;
        return Measured{r.motion.lateral.value_or(none), found ? found->lateral.error : none};

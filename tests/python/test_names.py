@@ -169,7 +169,9 @@ class Names(unittest.TestCase):
             bem_contact.solve("kind = 'patch'\nload.forze = 1\n")
 
     def test_stubs_name_what_is_there(self):
-        stubs = ast.parse((ROOT / "bem_contact/python/bem_contact/__init__.pyi").read_text())
+        package = Path(bem_contact.__file__).parent
+        stubs, made = (ast.parse((package / file).read_text()) for file in ("__init__.pyi", "_numbers.pyi"))
+        bases = {node.name: node.body for node in made.body if isinstance(node, ast.ClassDef)}
 
         def names(body):
             return ({n.name for n in body if isinstance(n, (ast.ClassDef, ast.FunctionDef))} |
@@ -179,12 +181,18 @@ class Names(unittest.TestCase):
             if isinstance(node, ast.ClassDef) and not issubclass(getattr(bem_contact, node.name), Exception):
                 of = getattr(bem_contact, node.name)
                 there = {n for n in dir(of) if not n.startswith("_")} - set(dir(of.__base__))
-                self.assertEqual(names(node.body), there, node.name)
+                body = node.body + [line for base in node.bases for line in bases.get(ast.unparse(base).lstrip("_"), [])]
+                self.assertEqual(names(body), there, node.name)
         public = {name for name, value in vars(bem_contact).items() if not name.startswith("_") and not inspect.ismodule(value)}
         self.assertEqual(names(stubs.body), public | {"__commit__", "__version__"})
         help_text = pydoc.render_doc(bem_contact, renderer=pydoc.plaintext)
         self.assertNotIn("Method resolution order", help_text)
         self.assertIn("solve(scene", help_text)  # what it is for, and the functions
+        optional = {n.target.id for n in bases["Numbers"] if isinstance(n, ast.AnnAssign) and "None" in ast.unparse(n.annotation)}
+        patch = bem_contact.solve(SCENES / "hertz.toml")  # has fewer numbers than a wheel on a rail
+        missing = {n for n in names(bases["Numbers"]) if getattr(patch, n) is None}
+        self.assertGreater(len(missing), 4)
+        self.assertLessEqual(missing, optional)
 
 
 class Wear(unittest.TestCase):

@@ -85,6 +85,7 @@ if(TARGET bem_contact_python)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/bem_contact/python/bem_contact DESTINATION ${CONFORMAL_PYTHON_DIR}
     PATTERN __pycache__ EXCLUDE)
   install(TARGETS bem_contact_python LIBRARY DESTINATION ${CONFORMAL_PYTHON_DIR}/bem_contact)
+  install(FILES ${CMAKE_BINARY_DIR}/python/bem_contact/_numbers.pyi DESTINATION ${CONFORMAL_PYTHON_DIR}/bem_contact)
 endif()
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/conformal-contact RENAME copyright)
