@@ -1,15 +1,14 @@
-// Who answers the page. Nothing else in it knows that: a solver inside the browser could stand here.
+// Questions and answers of the page; reply.js knows who answers.
 // A scene is {text, changes: {key: value}, files: {name: text}}; a record is what record/json.hpp describes.
 const WINDOW = `${Date.now()} ${Math.random()}`;
 
-/// What the program makes of a scene, as a Response. `lane`: a newer question in the same lane replaces this one.
+/// What is made of a scene, as a Response. `lane`: a newer question in the same lane replaces this one.
 const asked = async (what, scene, lane) => {
   let response;
   try {
-    response = await fetch(what, {method: "POST", headers: {"Content-Type": "application/json"},
-                                  body: JSON.stringify({...scene, window: `${WINDOW} ${lane}`})});
+    response = await replyTo(what, {...scene, window: `${WINDOW} ${lane}`});
   } catch {
-    return problemOf("The program does not answer (it was ended, or this machine has lost it) Start bem_contact explore again.");
+    return problemOf(SILENT);
   }
   return response.ok ? response : problemOf(await response.text());
 };

@@ -3,11 +3,13 @@
 #include "bem_contact/explore/asked_scenes.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
+#include <array>
 #include <atomic>
 #include <list>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
 
 namespace bem_contact::explore {
 
@@ -52,5 +54,13 @@ private:
   std::list<std::pair<std::string, Stop>> windows_; ///< the newest question of each, the latest one first
   bool ended_ = false;
 };
+
+/// What the page asks for, by name.
+struct Asked {
+  std::string_view name;
+  Reply (Answers::*reply)(const std::string& question);
+};
+inline constexpr std::array all_asked{Asked{"answer", &Answers::answer}, Asked{"scene", &Answers::scene},
+                                      Asked{"result", &Answers::result}, Asked{"report", &Answers::report}};
 
 } // namespace bem_contact::explore

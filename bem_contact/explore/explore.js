@@ -344,6 +344,8 @@ const begin = async () => {
   takeDrops();
   add("p", "x is the direction of rolling, y points to the right (left wheel: to the left), z down; s runs along the rail's profile, n into the rail. " +
       "Forces are those on the rail. Figures: plotly.js (MIT licence), © Plotly, Inc.", element("notes"));
+  if (NOTE)
+    add("p", NOTE, element("notes"));
   await loadLibrary();
   let wide = innerWidth;
   addEventListener("resize", () => { if (innerWidth !== wide && data.p_n) { wide = innerWidth; drawContact(true); showHeld(); } });

@@ -112,16 +112,11 @@ struct Server::Impl {
     const std::string at = "/" + token + "/";
     server.Get(
         at, [this](const Request&, Response& response) { send(response, page, "text/html; charset=utf-8"); });
-    const auto answer = [&](const char* name, Reply (Answers::*function)(const std::string&)) {
-      server.Post(at + name, [this, function](const Request& request, Response& response) {
-        Reply reply = (answers.*function)(request.body);
+    for (const Asked& one : all_asked)
+      server.Post(at + std::string(one.name), [this, &one](const Request& request, Response& response) {
+        Reply reply = (answers.*one.reply)(request.body);
         send(response, std::make_shared<const std::string>(std::move(reply.body)), reply.type);
       });
-    };
-    answer("answer", &Answers::answer);
-    answer("scene", &Answers::scene);
-    answer("result", &Answers::result);
-    answer("report", &Answers::report);
   }
 
   void prepare() {

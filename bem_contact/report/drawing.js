@@ -25,10 +25,12 @@ const addFigure = (id, caption, figure, parent = page) => {
 };
 
 /// The library is kept compressed in the page.
-const loadLibrary = async () => {
-  const bytes = Uint8Array.from(atob(document.getElementById("library").textContent), c => c.charCodeAt(0));
-  const text = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).text();
-  add("script", text, document.head);
+const loadLibrary = async () => add("script", await (await unpacked("library")).text(), document.head);
+
+/// What pack_library.py has packed, as a Response.
+const unpacked = async id => {
+  const bytes = Uint8Array.from(atob(document.getElementById(id).textContent), c => c.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip")));
 };
 
 /// The layout of a figure for the library, `width` px wide.
