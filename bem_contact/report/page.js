@@ -289,13 +289,13 @@ const addContactWear = () => {
 };
 
 const addInfluenceFile = () => {
-  const a = data.attributes, stations = rows(data.stations), error = a.estimated_error;
-  addLarge([["stations", "stations", String(stations.length)], ["width", "width of one", `${number(a.station_width)} mm`], ["from", "strip from s", `${number(stations[0][0] - a.station_width / 2)} mm`],
-            ["to", "to", `${number(stations.at(-1)[0] + a.station_width / 2)} mm`], ["modulus", "shear modulus", `${number(a.shear_modulus)} MPa`],
+  const a = data.attributes, of = name => a[name] ?? valueOf(data, name), stations = rows(data.stations), error = of("estimated_error"), width = of("station_width");
+  addLarge([["stations", "stations", String(stations.length)], ["width", "width of one", `${number(width)} mm`], ["from", "strip from s", `${number(stations[0][0] - width / 2)} mm`],
+            ["to", "to", `${number(stations.at(-1)[0] + width / 2)} mm`], ["modulus", "shear modulus", `${number(of("shear_modulus"))} MPa`],
             ["error", "estimated error", error >= 0 ? `${number(Number((100 * error).toPrecision(2)))} %` : "not estimated"]]);
   addFigure("strip", "The strip of the surface for which it serves, in the section of the body.", stripFigure(stations, a.invariance === "prismatic" ? RAIL : WHEEL));
-  addTable("What the file says", ["", ""], ["body", "profile", "held", "method", "invariance", "reference_radius", "half_period", "poisson", "betti_error", "reaction_error"].filter(name => name in a)
-    .map(name => [name.replaceAll("_", " "), typeof a[name] === "number" ? number(a[name]) : a[name]]), {numbers: [], id: "influence-attributes"});
+  addTable("What the file says", ["", ""], ["body", "profile", "held", "method", "invariance", "reference_radius", "half_period", "poisson", "betti_error", "reaction_error"].filter(name => of(name) !== undefined)
+    .map(name => [name.replaceAll("_", " "), typeof of(name) === "number" ? number(of(name)) : of(name)]), {numbers: [], id: "influence-attributes"});
 };
 
 const GOOD_JACOBIAN = 0.3, USABLE_JACOBIAN = 0.1; // as bem_contact plot says it
