@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/explore/asked_scenes.hpp"
+#include "bem_contact/explore/server.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <array>
@@ -12,12 +13,6 @@
 #include <string_view>
 
 namespace bem_contact::explore {
-
-/// What goes back to the page.
-struct Reply {
-  std::string type; ///< of the content: "application/json"
-  std::string body;
-};
 
 /// Answers the page's questions, one solution at a time. Each function takes a question (asked_scenes.hpp)
 /// as JSON. What is wrong with it is said in the reply: {"problem": {"kind", "message"}}, where "kind" is

@@ -1,6 +1,7 @@
 #include "bem_contact/explore/explore.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/explore/answers.hpp"
 #include "bem_contact/explore/explore_page.hpp"
 #include "bem_contact/explore/server.hpp"
 
@@ -82,16 +83,21 @@ void show_in_browser(const std::string& address) {
 
 void explore(const Start& start, const ExploreOptions& options) {
   Answers answers(start);
-  Server server(answers, explore_page(start), options.port);
+  std::vector<Route> routes;
+  for (const Asked& one : all_asked)
+    routes.push_back({std::string(one.name), [&answers, reply = one.reply](const std::string& question) {
+                        return (answers.*reply)(question);
+                      }});
+  const std::unique_ptr<Server> server = open_server(std::move(routes), explore_page(start), options.port);
   const EndingSignals signals;
-  std::thread serving([&] { server.serve(); });
-  fmt::print("Open this address in a browser on this machine:\n    {}\nCtrl-C ends it.\n", server.address());
+  std::thread serving([&] { server->serve(); });
+  fmt::print("Open this address in a browser on this machine:\n    {}\nCtrl-C ends it.\n", server->address());
   std::fflush(stdout);
   if (options.open_browser)
-    show_in_browser(server.address());
+    show_in_browser(server->address());
   signals.wait();
   answers.end();
-  server.stop();
+  server->stop();
   serving.join();
 }
 

@@ -61,43 +61,45 @@ const httplib::Headers headers_of_all{
     {"X-Content-Type-Options", "nosniff"},
     {"X-Frame-Options", "DENY"}};
 
-} // namespace
+class HttpServer : public Server {
+public:
+  HttpServer(std::vector<Route> routes, std::string text, int port)
+      : routes_(std::move(routes)), page_(std::make_shared<const std::string>(std::move(text))) {
+    open(port);
+    prepare();
+  }
 
-struct Server::Impl {
-  Answers& answers;
-  std::shared_ptr<const std::string> page;
-  std::string token = new_token(), host, address;
-  httplib::Server server;
+  const std::string& address() const override { return address_; }
+  void serve() override { server_.listen_after_bind(); }
+  void stop() override { server_.stop(); }
 
-  Impl(Answers& given, std::string text)
-      : answers(given), page(std::make_shared<const std::string>(std::move(text))) {}
-
+private:
   void open(int wanted) {
-    server.set_socket_options([](socket_t socket) { // not SO_REUSEPORT, by which two programs share a port
+    server_.set_socket_options([](socket_t socket) { // not SO_REUSEPORT, by which two programs share a port
       const int yes = 1;
       setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
     });
-    const int port = wanted == 0                                ? server.bind_to_any_port("127.0.0.1")
-                     : server.bind_to_port("127.0.0.1", wanted) ? wanted
-                                                                : -1;
+    const int port = wanted == 0                                 ? server_.bind_to_any_port("127.0.0.1")
+                     : server_.bind_to_port("127.0.0.1", wanted) ? wanted
+                                                                 : -1;
     if (port < 0)
       throw InputError(fmt::format("Port {} cannot be used", wanted), "another program may use it",
                        "Name another one with --port, or leave --port out.");
-    host = fmt::format("127.0.0.1:{}", port);
-    address = fmt::format("http://{}/{}/", host, token);
+    host_ = fmt::format("127.0.0.1:{}", port);
+    address_ = fmt::format("http://{}/{}/", host_, token_);
   }
 
   /// Whether somebody else than our page asks; then the response says so.
   bool refused(const Request& request, Response& response) const {
     const std::string& path = request.path;
     const std::size_t end = path.find('/', 1);
-    if (path.empty() || end == std::string::npos || !same(path.substr(1, end - 1), token))
+    if (path.empty() || end == std::string::npos || !same(path.substr(1, end - 1), token_))
       refuse(response, 404,
              "There is nothing here (the address is not the one that bem_contact explore printed)");
-    else if (request.get_header_value("Host") != host || request.get_header_value_count("Host") != 1)
+    else if (request.get_header_value("Host") != host_ || request.get_header_value_count("Host") != 1)
       refuse(response, 403,
              "This page is for its own machine alone (the host of the request is another one)");
-    else if (request.has_header("Origin") && request.get_header_value("Origin") != "http://" + host)
+    else if (request.has_header("Origin") && request.get_header_value("Origin") != "http://" + host_)
       refuse(response, 403, "This page answers itself alone (the request comes from another page)");
     else if (request.method != "GET" && request.method != "HEAD" && request.method != "POST")
       refuse(response, 405, "Only GET and POST are answered here");
@@ -109,54 +111,48 @@ struct Server::Impl {
   }
 
   void add_routes() {
-    const std::string at = "/" + token + "/";
-    server.Get(
-        at, [this](const Request&, Response& response) { send(response, page, "text/html; charset=utf-8"); });
-    for (const Asked& one : all_asked)
-      server.Post(at + std::string(one.name), [this, &one](const Request& request, Response& response) {
-        Reply reply = (answers.*one.reply)(request.body);
+    const std::string at = "/" + token_ + "/";
+    server_.Get(at, [this](const Request&, Response& response) {
+      send(response, page_, "text/html; charset=utf-8");
+    });
+    for (const Route& one : routes_)
+      server_.Post(at + one.name, [&one](const Request& request, Response& response) {
+        Reply reply = one.reply(request.body);
         send(response, std::make_shared<const std::string>(std::move(reply.body)), reply.type);
       });
   }
 
   void prepare() {
-    server.new_task_queue = [] {
+    server_.new_task_queue = [] {
       return new httplib::ThreadPool(most_connections);
-    };                            // the library deletes it
-    server.set_tcp_nodelay(true); // or each answer waits 40 ms
-    server.set_keep_alive_max_count(1'000'000);
-    server.set_keep_alive_timeout(keep_open.count());
-    server.set_payload_max_length(largest_request);
-    server.set_default_headers(headers_of_all);
-    server.set_pre_routing_handler([this](const Request& request, Response& response) {
+    };                             // the library deletes it
+    server_.set_tcp_nodelay(true); // or each answer waits 40 ms
+    server_.set_keep_alive_max_count(1'000'000);
+    server_.set_keep_alive_timeout(keep_open.count());
+    server_.set_payload_max_length(largest_request);
+    server_.set_default_headers(headers_of_all);
+    server_.set_pre_routing_handler([this](const Request& request, Response& response) {
       return refused(request, response) ? httplib::Server::HandlerResponse::Handled
                                         : httplib::Server::HandlerResponse::Unhandled;
     });
-    server.set_exception_handler([](const Request&, Response& response, const std::exception_ptr&) {
+    server_.set_exception_handler([](const Request&, Response& response, const std::exception_ptr&) {
       refuse(response, 500, "Something this program did not foresee");
     });
     add_routes();
   }
+
+  std::vector<Route> routes_;
+  std::shared_ptr<const std::string> page_;
+  std::string token_ = new_token(), host_, address_;
+  httplib::Server server_;
 };
 
-Server::Server(Answers& answers, std::string page, int port)
-    : impl_(std::make_unique<Impl>(answers, std::move(page))) {
-  impl_->open(port);
-  impl_->prepare();
-}
-
-Server::~Server() = default;
-
-const std::string& Server::address() const {
-  return impl_->address;
-}
-
-void Server::serve() {
-  impl_->server.listen_after_bind();
-}
-
-void Server::stop() {
-  impl_->server.stop();
-}
+} // namespace
 
 } // namespace bem_contact::explore
+
+/// By its name in the library (OpenServer).
+extern "C" __attribute__((visibility("default"))) bem_contact::explore::Server*
+bem_contact_open_server(std::vector<bem_contact::explore::Route> routes, std::string page, int port) {
+  return new bem_contact::explore::HttpServer(std::move(routes), std::move(page), port);
+}

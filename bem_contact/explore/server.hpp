@@ -1,31 +1,47 @@
 #pragma once
 
-#include "bem_contact/explore/answers.hpp"
-
 #include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace bem_contact::explore {
+
+/// What goes back to the page.
+struct Reply {
+  std::string type; ///< of the content: "application/json"
+  std::string body;
+};
+
+/// A kind of question, by the last part of its address.
+struct Route {
+  std::string name;
+  std::function<Reply(const std::string& question)> reply;
+};
 
 /// Serves a page on 127.0.0.1, and the page's questions. Whoever asks must know a token that is new in each
 /// run and part of every address.
 class Server {
 public:
-  /// Opens the port; 0: any that is free. Throws InputError if it is taken. `answers` must outlive this.
-  Server(Answers& answers, std::string page, int port);
-  ~Server();
+  Server() = default;
+  virtual ~Server() = default;
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
-  const std::string& address() const; ///< http://127.0.0.1:PORT/TOKEN/
+  virtual const std::string& address() const = 0; ///< http://127.0.0.1:PORT/TOKEN/
   /// Serves until stop().
-  void serve();
+  virtual void serve() = 0;
   /// May be called by another thread, once serve() was called.
-  void stop();
-
-private:
-  struct Impl; // the library's header is long
-  std::unique_ptr<Impl> impl_;
+  virtual void stop() = 0;
 };
+
+/// Opens the port; 0: any that is free. Throws InputError if it is taken, and Error where the library is
+/// missing that does it. The library is loaded here: it brings six others, and every command would load them
+/// at its start (6.5 million instructions).
+std::unique_ptr<Server> open_server(std::vector<Route> routes, std::string page, int port);
+
+/// What that library gives: a Server that the caller owns.
+using OpenServer = Server*(std::vector<Route> routes, std::string page, int port);
+inline constexpr const char* open_server_name = "bem_contact_open_server";
 
 } // namespace bem_contact::explore

@@ -39,10 +39,9 @@ class BuildWithCMake(build_py):
             installed = next(prefix.glob("lib/**/bem_contact/__init__.py")).parent
             for file in (*installed.glob("_core*.so"), installed / "_numbers.pyi"):
                 shutil.copy2(file, package)
-            # By the name under which it is loaded, libbem_contact_h5.so.MAJOR.MINOR.
-            library = min(prefix.glob("lib/**/libbem_contact_h5.so.*"), key=lambda file: len(file.name))
-            for name, file in (("lib", library),
-                               ("bin", prefix / "bin" / "bem_contact")):
+            # By the names under which they are loaded, libbem_contact_h5.so.MAJOR.MINOR.
+            libraries = [min(prefix.glob(f"lib/**/libbem_contact_{name}.so.*"), key=lambda file: len(file.name)) for name in ("h5", "http")]
+            for name, file in (*(("lib", library) for library in libraries), ("bin", prefix / "bin" / "bem_contact")):
                 (package / name).mkdir(exist_ok=True)
                 shutil.copy2(file, package / name)
 

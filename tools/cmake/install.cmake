@@ -51,6 +51,7 @@ configure_file(${CMAKE_CURRENT_LIST_DIR}/Doxyfile.in ${PROJECT_BINARY_DIR}/Doxyf
 install(TARGETS conformal_contact EXPORT conformal_contact_shared
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(TARGETS bem_contact_http LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_SKIP) # loaded by the program alone
 install(TARGETS conformal_options bem_contact_h5 ${conformal_library_rooms}
   EXPORT conformal_contact_static
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
