@@ -130,23 +130,25 @@ wear::DepthOverS depths_in(std::span<const double>& numbers) {
 wear::CasesSolver wear_by_children(const wear::Study& study, const std::filesystem::path& folder, int jobs) {
   return [&study, folder, jobs](const wear::WornPair& now, const wear::KeptPair& influence) {
     const std::span<const wear::CollectiveCase> cases = study.cases;
-    const ItemsOfWork work{
-        .count = cases.size(),
-        .solve =
-            [&](CaseRange chunk, const ItemsOfWork::Give& give) {
-              for (const wear::CaseWear& one : wear::wear_of_cases(
-                       now, cases.subspan(chunk.first, chunk.size()), study.options, folder, influence)) {
-                std::vector<double> numbers;
-                add_numbers(one.rail, numbers);
-                add_numbers(one.wheel, numbers);
-                give(std::move(numbers));
-              }
-            },
-        .name =
-            [&](std::size_t i) {
-              return fmt::format("A case of the load collective, from lateral displacement {:g} mm on,",
-                                 cases[i].scene.position.lateral);
-            }};
+    const auto files = wear::read_profiles_of_step(study.scene(), folder); // each child has its copy
+    const ItemsOfWork work{.count = cases.size(),
+                           .solve =
+                               [&](CaseRange chunk, const ItemsOfWork::Give& give) {
+                                 for (const wear::CaseWear& one :
+                                      wear::wear_of_cases(now, cases.subspan(chunk.first, chunk.size()),
+                                                          study.options, folder, influence, files)) {
+                                   std::vector<double> numbers;
+                                   add_numbers(one.rail, numbers);
+                                   add_numbers(one.wheel, numbers);
+                                   give(std::move(numbers));
+                                 }
+                               },
+                           .name =
+                               [&](std::size_t i) {
+                                 return fmt::format(
+                                     "A case of the load collective, from lateral displacement {:g} mm on,",
+                                     cases[i].scene.position.lateral);
+                               }};
     std::vector<wear::CaseWear> out;
     for (const std::vector<double>& numbers : numbers_by_children(work, jobs)) {
       std::span<const double> rest = numbers;

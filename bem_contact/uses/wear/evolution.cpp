@@ -6,6 +6,7 @@
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/sequence/shared_files.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -101,10 +102,20 @@ void write_profiles(const WornPair& now, const std::filesystem::path& folder) {
   write_profile(folder / "wheel.txt", now.wheel.points);
 }
 
+std::shared_ptr<SequenceFiles> read_profiles_of_step(const SceneFile& scene,
+                                                     const std::filesystem::path& folder) {
+  SceneFile worn = scene;
+  use_profile(worn.rail, folder / "rail.txt", "");
+  use_profile(worn.wheel, folder / "wheel.txt", "");
+  const auto files = shared_files();
+  read_profiles(worn, *files);
+  return files;
+}
+
 std::vector<CaseWear> wear_of_cases(const WornPair& now, std::span<const CollectiveCase> cases,
                                     const EvolutionOptions& options, const std::filesystem::path& folder,
-                                    const KeptPair& influence) {
-  Sequence sequence({.displacements = false, .own_shape = false});
+                                    const KeptPair& influence, std::shared_ptr<SequenceFiles> files) {
+  Sequence sequence({.displacements = false, .own_shape = false}, files ? std::move(files) : shared_files());
   std::vector<CaseWear> out;
   for (const CollectiveCase& one : cases) {
     SceneFile scene = one.scene;

@@ -9,10 +9,15 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+namespace bem_contact {
+class SequenceFiles;
+}
 
 namespace bem_contact::wear {
 
@@ -79,11 +84,15 @@ KeptPair unworn_influence(const SceneFile& scene, const WornPair& unworn);
 /// Writes the profiles of `now` into `folder`, where wear_of_cases() reads them: rail.txt and wheel.txt.
 void write_profiles(const WornPair& now, const std::filesystem::path& folder);
 
+/// The profiles in `folder`, read for several wear_of_cases(). `scene`: any of the cases.
+std::shared_ptr<SequenceFiles> read_profiles_of_step(const SceneFile& scene,
+                                                     const std::filesystem::path& folder);
 /// Solves some cases of a step, each from the one before, with the profiles of `now` that are in `folder`.
-/// Throws as wear_step() does.
+/// `files`: what is read of them already; null: nothing. Throws as wear_step() does.
 std::vector<CaseWear> wear_of_cases(const WornPair& now, std::span<const CollectiveCase> cases,
                                     const EvolutionOptions& options, const std::filesystem::path& folder,
-                                    const KeptPair& influence);
+                                    const KeptPair& influence,
+                                    std::shared_ptr<SequenceFiles> files = nullptr);
 
 /// Solves every case with the profiles of `now`, which are written into `folder`.
 /// Then moves the profiles of the bodies that wear (explicit Euler, first order in the length of the step).
