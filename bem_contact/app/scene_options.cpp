@@ -81,17 +81,7 @@ void take_table(CLI::App& line, const toml::table& values, const std::string& so
       continue;
     const std::string where = fmt::format("{}:{}: ", source, name.source().begin.line);
     const auto option = std::ranges::find(options, key, &std::pair<std::string, CLI::Option*>::first);
-    if (option == options.end()) {
-      std::vector<std::string> names = keys_of_table(table);
-      for (const auto& [known, ignored] : options)
-        names.push_back(known);
-      const auto like = nearest_names(key, names);
-      throw InputError(fmt::format("{}unknown key '{}.{}'", where, table, key),
-                       fmt::format("the table has the options of bem_contact {}", line.get_name()),
-                       like.empty() ? fmt::format("Known are {}.", fmt::join(names, ", "))
-                                    : fmt::format("Did you mean {}.{}?", table, fmt::join(like, " or ")));
-    }
-    if (!given || option->second->count() > 0)
+    if (option == options.end() || !given || option->second->count() > 0) // the scene's reader knows all keys
       continue;
     try {
       for (const std::string& value : values_of(node))

@@ -1,11 +1,75 @@
 #include "bem_contact/scene/command_tables.hpp"
 
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/base/toml.hpp"
+#include "bem_contact/scene/scene_file.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sstream>
 
 namespace bem_contact {
+
+namespace {
+
+constexpr std::string_view of_compare[] = {"models", "strict", "threads"},
+                           of_conicity[] = {"roll", "step", "to"},
+                           of_creep_curves[] = {"eta", "jobs", "model", "phi", "strict", "xi"},
+                           of_fatigue[] = {"damage", "nodes", "wear_is_negative", "yield_shear"},
+                           of_table[] = {"jobs", "model", "most_points", "tolerance"},
+                           of_wear[] = {"body",      "cap", "depth", "hardness", "influence", "jobs",
+                                        "kept_turn", "law", "model", "passages", "smoothing", "speed"};
+
+/// With the names of options, this is what a table of a command may hold.
+struct OptionTable {
+  std::string_view name;
+  std::span<const std::string_view> keys;
+};
+constexpr OptionTable option_tables[] = {
+    {"compare", of_compare}, {"conicity", of_conicity}, {"creep_curves", of_creep_curves},
+    {"fatigue", of_fatigue}, {"table", of_table},       {"wear", of_wear}};
+
+void require_known(const std::string& table, const std::string& key, const std::string& where) {
+  std::vector<std::string> names = keys_of_table(table);
+  for (const std::string_view known : option_keys(table))
+    names.emplace_back(known);
+  if (std::ranges::find(names, key) != names.end())
+    return;
+  std::string command = table;
+  std::ranges::replace(command, '_', '-');
+  const auto like = nearest_names(key, names);
+  throw InputError(fmt::format("{}unknown key '{}.{}'", where, table, key),
+                   fmt::format("the table has the options of bem_contact {}", command),
+                   like.empty() ? fmt::format("Known are {}.", fmt::join(names, ", "))
+                                : fmt::format("Did you mean {}.{}?", table, fmt::join(like, " or ")));
+}
+
+} // namespace
+
+std::span<const std::string_view> option_keys(std::string_view table) {
+  const auto found = std::ranges::find(option_tables, table, &OptionTable::name);
+  return found == std::ranges::end(option_tables) ? std::span<const std::string_view>() : found->keys;
+}
+
+void require_known_options(const SceneText& scene) {
+  if (std::ranges::none_of(option_tables, [&](const OptionTable& table) {
+        return scene.toml.find(table.name) != std::string::npos;
+      }))
+    return; // most scenes: saves reading the text once more
+  toml::table root;
+  try {
+    root = toml::parse(scene.toml, scene.source);
+  } catch (const toml::parse_error&) {
+    return;
+  }
+  for (const OptionTable& table : option_tables)
+    if (const toml::table* values = root[table.name].as_table())
+      for (const auto& [name, node] : *values)
+        if (table.name != "table" || !(node.is_table() || node.is_array())) // its axes are keys of the scene
+          require_known(std::string(table.name), std::string(name.str()),
+                        fmt::format("{}:{}: ", scene.source, name.source().begin.line));
+}
 
 std::string text_for(const SceneText& scene, std::initializer_list<std::string_view> kept,
                      std::initializer_list<std::string_view> left_out) {

@@ -3,6 +3,7 @@
 #include "bem_contact/scene/scene_text.hpp"
 
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,14 @@ namespace bem_contact {
 /// table [wear] is one of a scene (the wear map) and of a command.
 inline constexpr std::string_view command_tables[] = {"sweep",   "table",   "creep_curves", "conicity",
                                                       "fatigue", "compare", "uncertainty",  "influence"};
+
+/// Keys of such a table, or of [wear], that are options of the command of its name; none of a table that has
+/// none, or is read elsewhere. Lists of [table] are axes.
+std::span<const std::string_view> option_keys(std::string_view table);
+
+/// Throws InputError, with file and line, for a key that none of these tables has. A text that is no TOML
+/// passes: whoever reads it says what is wrong.
+void require_known_options(const SceneText& scene);
 
 /// The text of a scene without the tables of commands that are not `kept`, and without comments: what an
 /// answer that uses these tables depends on. Each `left_out` ("wear.depth") is missing, too. A text that is

@@ -56,7 +56,9 @@ struct SceneReader::State {
 };
 
 SceneReader::SceneReader(SceneText given)
-    : given_(std::move(given)), state_(std::make_unique<State>(given_, changes_)) {}
+    : given_(std::move(given)), state_(std::make_unique<State>(given_, changes_)) {
+  require_known_options(given_);
+}
 
 SceneReader::~SceneReader() = default;
 SceneReader::SceneReader(SceneReader&&) noexcept = default;

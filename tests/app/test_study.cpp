@@ -1,4 +1,7 @@
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/h5/table.hpp"
+#include "bem_contact/scene/command_tables.hpp"
+#include "bem_contact/scene/scene_file.hpp"
 #include "tests/app/run_program.hpp"
 #include "tests/sanitized.hpp"
 
@@ -7,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <fmt/format.h>
 #include <set>
 #include <sys/wait.h>
 #include <thread>
@@ -248,6 +252,32 @@ TEST_F(Study, TablesGiveTheOptionsOfTheirCommands) {
   refused("[fatigues]\n", "solve", "Did you mean fatigue");
   refused("[uncertainty]\nfricton = 1\n", "study -o " + path("out"), "Did you mean uncertainty.friction");
   refused("[table]\nposition.lateral = [0, 1]\ntolerence = 0.1\n", "solve", "Did you mean table.tolerance");
+}
+
+/// The reader of scenes knows the options of each command, so that Python and C refuse what the program does.
+TEST_F(Study, ScenesKnowTheOptionsOfCommands) {
+  for (const char* name : {"compare", "conicity", "creep-curves", "fatigue", "table", "wear"}) {
+    std::string table = name;
+    std::ranges::replace(table, '-', '_');
+    const std::string help = run(std::string(name) + " --help").out;
+    for (const std::string_view key : option_keys(table)) {
+      std::string option(key);
+      std::ranges::replace(option, '_', '-');
+      EXPECT_THAT(help, HasSubstr("--" + option)) << name;
+      EXPECT_NO_THROW(require_known_options({fmt::format("[{}]\n{} = 1\n", table, key), "s.toml"})) << key;
+    }
+    const std::string wrong = fmt::format("load.force = 1e4\n[{}]\nodd_key = 1\n", table);
+    EXPECT_THROW(parse_scene_file({wrong, "s.toml"}), InputError) << table;
+    for (std::size_t at = help.find("\n  --"); at != std::string::npos; at = help.find("\n  --", at + 1)) {
+      std::string key = help.substr(at + 5, help.find_first_of(" ,\n", at + 5) - at - 5);
+      std::ranges::replace(key, '-', '_');
+      const Outcome given = run(
+          "check " + write("given.toml", wheel_on_rail + fmt::format("[{}]\n{} = 1\n", table, key)).string());
+      const bool known = std::ranges::count(option_keys(table), key) > 0;
+      EXPECT_EQ(given.err.find("unknown key") == std::string::npos, known)
+          << table << " " << key << given.err;
+    }
+  }
 }
 
 /// What `new` writes runs as it is written.
