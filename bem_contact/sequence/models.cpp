@@ -13,7 +13,11 @@ namespace {
 
 // The order is that of cost.
 constexpr ElasticityModel rows_of_models[] = {
-    {.model = Model::simplified, .in_words = "simplified theory", .solve = solve_simplified},
+    {.model = Model::simplified,
+     .in_words = "simplified theory",
+     .solve = solve_simplified,
+     .fit = fit_of_simplified,
+     .by_name_only = true},
     {.model = Model::hertz, .in_words = "Hertz's closed form", .solve = solve_hertz, .fit = fit_of_hertz},
     {.model = Model::halfspace,
      .in_words = "half-space theory",

@@ -32,9 +32,10 @@ struct ElasticityModel {
   /// with influence numbers.
   ContactResult (*solve)(const ContactSetup& setup, const ContactProblem& problem) = nullptr;
   /// Tells how well the closed form fits a contact; nothing where it does not. Null: a model with influence
-  /// numbers, or a closed form that is never chosen automatically.
+  /// numbers.
   std::optional<ClosedFormFit> (*fit)(const ContactSetup& setup, const ContactProblem& problem,
                                       const ContactTraits& traits) = nullptr;
+  bool by_name_only = false; ///< no scene gets it without asking for it
 };
 
 /// All of them, the cheapest first.

@@ -108,6 +108,17 @@ TEST(CreepCoefficients, AgreeWithKalkersTable) {
   near(creep_coefficients(1, 0.5), {5.20, 3.98, 1.63, 1.16});
 }
 
+TEST(CreepCoefficients, QuickOnesAgreeWithThem) {
+  for (const double a_over_b : {0.1, 0.137, 0.36, 0.95, 2.2, 6.1, 10.0})
+    for (const double poisson : {0.0, 0.07, 0.28, 0.41, 0.5}) {
+      const CreepCoefficients exact = creep_coefficients(a_over_b, poisson);
+      const auto quick = quick_creep_coefficients(a_over_b, poisson);
+      EXPECT_NEAR(quick[0] / exact.c11, 1, 5e-4) << a_over_b << " " << poisson;
+      EXPECT_NEAR(quick[1] / exact.c22, 1, 5e-4) << a_over_b << " " << poisson;
+      EXPECT_NEAR(quick[2] / exact.c23, 1, 5e-4) << a_over_b << " " << poisson;
+    }
+}
+
 /// tools/examples has them as figures (linear_model.py, wheelset_running.cpp).
 TEST(CreepCoefficients, OfTheExamplesAreThese) {
   const CreepCoefficients k = creep_coefficients(1.3298, 0.28);

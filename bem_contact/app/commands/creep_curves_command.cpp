@@ -10,6 +10,7 @@
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/json.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/uses/curves/creep_record.hpp"
@@ -106,6 +107,8 @@ std::string curves_text(const CreepCurves& c) {
   std::string out =
       fmt::format("Creep curves, model {}: Fz {:.6g} N, mu Fn {:.6g} N, c = {:.4g} mm\n",
                   name_of(c.solution.choice.model), c.solution.result.totals.Fz.value, c.bound, c.radius);
+  if (is_closed_form(c.solution.choice.model))
+    out += fmt::format("  ({})\n", c.solution.choice.why_this_model);
   out += slopes_text(c) + sensitivities_text(c);
   for (const CreepCurve& curve : c.curves) {
     out += fmt::format("Over {}\n  {:>12}        Fx N        Fs N     Mz N mm  |F|/(mu Fn)  adhesion\n",

@@ -3,6 +3,7 @@
 #include "bem_contact/app/output/report.hpp"
 #include "bem_contact/record/error_text.hpp"
 #include "bem_contact/sequence/compared_quantities.hpp"
+#include "bem_contact/sequence/models.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -126,6 +127,15 @@ std::string datum_text(const Comparison& c, const std::vector<SceneResult>& resu
   return out;
 }
 
+/// What closed forms are predicted to miss.
+std::string closed_forms_text(const Comparison& c) {
+  std::string out;
+  for (const SceneResult& r : c.leading())
+    if (is_closed_form(r.choice.model))
+      out += fmt::format("{}: {}\n", title_of(r.choice.model), r.choice.why_this_model);
+  return out;
+}
+
 std::string forces_title(const Comparison& c) {
   const SceneResult& r = c.at_forces[c.reference];
   const bool patch = c.at_position.empty();
@@ -170,6 +180,8 @@ std::string to_text(const Comparison& c) {
       "p_n dS, of Fy and Fz over their resultant, of Mz over that sum times sqrt(area / pi), "
       "of pmax, area and T-gamma over the other's value\n\n",
       grid.dx, grid.ds, title_of(c.models[c.reference]));
+  if (const std::string text = closed_forms_text(c); !text.empty())
+    out += text + "\n";
   if (!c.at_forces.empty())
     out += forces_title(c) + table(c, c.at_forces) + datum_text(c, c.at_forces);
   if (!c.creep_forces.empty())

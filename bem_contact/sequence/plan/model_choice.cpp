@@ -102,6 +102,15 @@ ModelChoice choose_closed_form(Model model, const ClosedFormFit& fit, const Mode
   return {model, fit.why + judged(errors, within, request), within};
 }
 
+std::string asked_closed_form_text(Model model, const ClosedFormFit& fit) {
+  std::string out =
+      fmt::format("asked for; {}predicted errors of {}", fit.why, elasticity_model(model).in_words);
+  for (std::size_t k = 0; k < EnumNames<ModelErrorOf>::names.size(); ++k)
+    out += fmt::format("{} {} {:.1f} %", k > 0 ? "," : ":", EnumNames<ModelErrorOf>::names[k],
+                       100 * fit.errors.of(static_cast<ModelErrorOf>(k)));
+  return out;
+}
+
 ModelChoice choose_model(const ContactTraits& traits, const ModelRequest& request) {
   struct Candidate {
     const ElasticityModel* model;
@@ -137,7 +146,8 @@ ModelChoice choose_model(const ContactTraits& traits, const ModelRequest& reques
 ModelChoice choose_model(const ContactSetup& setup, const ContactProblem& problem,
                          const ContactTraits& traits, const ModelRequest& request) {
   for (const ElasticityModel& model : elasticity_models())
-    if (const auto fit = model.fit ? model.fit(setup, problem, traits) : std::nullopt) {
+    if (const auto fit =
+            model.fit && !model.by_name_only ? model.fit(setup, problem, traits) : std::nullopt) {
       ModelChoice choice = choose_closed_form(model.model, *fit, request);
       if (choice.enough)
         return choice;

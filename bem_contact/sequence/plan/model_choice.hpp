@@ -29,6 +29,10 @@ ModelChoice choose_model(const ContactSetup& setup, const ContactProblem& proble
 /// The choice of a closed form.
 ModelChoice choose_closed_form(Model model, const ClosedFormFit& fit, const ModelRequest& request);
 
+/// The words for a closed form that the scene asks for: how well it fits, and all that it is predicted to
+/// miss.
+std::string asked_closed_form_text(Model model, const ClosedFormFit& fit);
+
 /// Tells how well Hertz's solution fits. `traits`: for what half-space theory misses.
 ClosedFormFit fit_of_hertz(const HertzModel& model, const ContactTraits& traits);
 /// Does the same for a problem of this setup. Returns nothing where the contact is none of Hertz's.

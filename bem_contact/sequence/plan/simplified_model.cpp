@@ -2,9 +2,12 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/totals.hpp"
+#include "bem_contact/geometry/undeformed_distance.hpp"
 #include "bem_contact/reference/creep_coefficients.hpp"
 #include "bem_contact/reference/hertz.hpp"
 #include "bem_contact/sequence/plan/contact_estimate.hpp"
+#include "bem_contact/sequence/plan/settings.hpp"
+#include "bem_contact/sequence/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +21,17 @@ namespace {
 /// 1. Ratios of the semi-axes for which there are creep coefficients (reference/creep_coefficients.hpp);
 /// beyond them the nearest are taken.
 constexpr double flattest = 0.1, longest = 10;
-/// 1. Degree of their polynomials: 1e-3, far less than the theory misses, at a thirtieth of the time of 12.
-constexpr int coefficient_degree = 6;
+/// 1. Bounds of what it misses of the half-space, of shear forces over full friction: fitted to 322 random
+/// scenes (S1002 and worn wheels on 60E1 and worn rails, -5 to 7.5 mm, 20 to 150 kN, creepages from 1e-4 to
+/// 1e-2 and spin to 6e-4 1/mm) so that they hold in 98 of 100, and taken 15 % larger for the flanges of
+/// theory/contact.md. In 302 other scenes they held in 99 of 100.
+constexpr double least_shear_miss = 0.035, deviation_shear_miss = 0.16, spin_shear_miss = 3.9;
+constexpr double turn_shear_miss = 0.38; ///< 1/rad
+/// 1. The same of the largest pressure, relative.
+constexpr double deviation_pressure_miss = 0.91;
+constexpr double turn_pressure_miss = 0.45; ///< 1/rad
+/// 1. Of the power of friction, relative: without full slip it may miss most of it (half of the scenes: .13).
+constexpr double power_miss = 1.0;
 /// 1. Fewest elements of a patch.
 constexpr int fewest_patch_elements = 9;
 /// 1. A vertical force of pressure and shear, and prescribed shear forces, are met to this share.
@@ -132,15 +144,19 @@ void roll_through(const ContactProblem& problem, const SimplifiedPatch& patch,
   }
 }
 
+/// Why the theory does not serve; null: it does.
+const char* why_not_served(const ContactSetup& setup, const ContactProblem& problem) {
+  return problem.plane_strain()                 ? "plane strain has no ellipse"
+         : !problem.has_friction()              ? "it is about friction, and there is none"
+         : problem.motion != MotionKind::steady ? "it is of steady rolling"
+         : !problem.is_coulomb()                ? "its friction is Coulomb's, with one coefficient"
+         : setup.layer.normal > 0               ? "it has no layer that yields to pressure"
+         : setup.layer.slope                    ? "it knows no slope of influence numbers"
+                                                : nullptr;
+}
+
 void require_served(const ContactSetup& setup, const ContactProblem& problem) {
-  const char* why = problem.plane_strain()                 ? "plane strain has no ellipse"
-                    : !problem.has_friction()              ? "it is about friction, and there is none"
-                    : problem.motion != MotionKind::steady ? "it is of steady rolling"
-                    : !problem.is_coulomb()                ? "its friction is Coulomb's, with one coefficient"
-                    : setup.layer.normal > 0               ? "it has no layer that yields to pressure"
-                    : setup.layer.slope                    ? "it knows no slope of influence numbers"
-                                                           : nullptr;
-  if (why)
+  if (const char* why = why_not_served(setup, problem))
     throw InputError("The simplified theory does not fit this contact", why, "Choose another model.");
 }
 
@@ -238,11 +254,11 @@ void set_flexibilities(const ContactSetup& setup, const SurfaceLayer& layer, int
                poisson =
                    0.5 * shear * (one.poisson / one.shear_modulus + other.poisson / other.shear_modulus);
   const double a = patch.semi_axis_x, ratio = std::clamp(a / patch.semi_axis_s, flattest, longest);
-  const auto c = reference::creep_coefficients(ratio, poisson, coefficient_degree);
+  const auto [c11, c22, c23] = reference::quick_creep_coefficients(ratio, poisson);
   const double compliance = layer.shear_of(row);
-  patch.of_xi = 8 * a / (3 * c.c11 * shear) + compliance;
-  patch.of_eta = 8 * a / (3 * c.c22 * shear) + compliance;
-  patch.of_phi = std::numbers::pi * a * std::sqrt(a / patch.semi_axis_s) / (4 * c.c23 * shear) + compliance;
+  patch.of_xi = 8 * a / (3 * c11 * shear) + compliance;
+  patch.of_eta = 8 * a / (3 * c22 * shear) + compliance;
+  patch.of_phi = std::numbers::pi * a * std::sqrt(a / patch.semi_axis_s) / (4 * c23 * shear) + compliance;
 }
 
 void require_elements(const SimplifiedPatch& patch, const std::vector<int>& elements) {
@@ -326,6 +342,59 @@ ContactResult solve_simplified(const ContactSetup& setup, const ContactProblem& 
     result.trust.certificate.force_balance =
         problem.force > 0 ? std::abs(result.totals.Fz / problem.force - 1) : 0.0;
   return result;
+}
+
+SimplifiedTraits simplified_traits(const ContactSetup& setup, const ContactProblem& problem) {
+  const std::vector<SimplifiedPatch> patches = simplified_patches(setup, problem);
+  const std::vector<std::vector<int>> elements = elements_of(problem, patches);
+  SimplifiedTraits out;
+  double normal = 0;
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const SimplifiedPatch& patch = patches[k];
+    if (elements[k].size() < std::size_t(fewest_patch_elements))
+      continue;
+    double least = excluded_gap, deviation = 0, lowest = patch.delta, highest = patch.delta;
+    for (const int i : elements[k])
+      least = std::min(least, problem.gap[i]);
+    for (const int i : elements[k]) {
+      const ContactRow& row = problem.rows[i / problem.grid.mx];
+      const double x = problem.grid.x(i % problem.grid.mx) - patch.x, s = row.s - patch.s,
+                   ellipse = patch.curvature_x * x * x + patch.curvature_s * s * s;
+      deviation = std::max(deviation, std::abs(problem.gap[i] - least - ellipse) / patch.approach);
+      lowest = std::min(lowest, row.delta);
+      highest = std::max(highest, row.delta);
+    }
+    const double phi = creepage_of(problem, patch, elements[k]).phi,
+                 friction = problem.friction_of(elements[k].front() / problem.grid.mx);
+    normal += patch.normal;
+    out.deviation += patch.normal * deviation;
+    out.turn += patch.normal * (highest - lowest);
+    out.inclination += patch.normal * std::abs(patch.delta);
+    out.spin += patch.normal * std::abs(phi) * std::sqrt(patch.semi_axis_x * patch.semi_axis_s) / friction;
+  }
+  for (double* mean : {&out.deviation, &out.turn, &out.inclination, &out.spin})
+    *mean /= normal > 0 ? normal : 1;
+  return out;
+}
+
+std::optional<ClosedFormFit> fit_of_simplified(const ContactSetup& setup, const ContactProblem& problem,
+                                               const ContactTraits& traits) {
+  if (why_not_served(setup, problem))
+    return std::nullopt;
+  const SimplifiedTraits t = simplified_traits(setup, problem);
+  const double deviation = std::min(t.deviation, 1.0);
+  ModelErrors errors = halfspace_errors(traits);
+  const double shear = least_shear_miss + deviation_shear_miss * deviation + turn_shear_miss * t.turn +
+                       spin_shear_miss * std::min(t.spin, 1.0);
+  errors.forces += shear;
+  errors.pmax += deviation_pressure_miss * std::sqrt(deviation) + turn_pressure_miss * t.turn;
+  errors.friction_power += power_miss;
+  if (traits.prescribed.force && traits.creep_stiffness > 0)
+    errors.creepages += shear / traits.creep_stiffness / least_creepage;
+  return ClosedFormFit{
+      errors, fmt::format("an ellipse for each area, from which the undeformed distance is {:.1g} of "
+                          "the approach off; the normal turns by {:.1f} degrees; ",
+                          t.deviation, degrees(t.turn))};
 }
 
 } // namespace bem_contact

@@ -285,7 +285,13 @@ SceneResult solve_by_choice(const ContactCase& asked, const SceneFile::Grid& gri
 
 SceneResult solve_as_asked(const ContactCase& asked, Model model, const SceneFile::Grid& grid,
                            const SolveResources& resources) {
-  return recorded(solve_with(asked, model, grid, resources), {model, "asked for"}, resources);
+  PlacedSolution placed = solve_with(asked, model, grid, resources);
+  std::string why = "asked for";
+  if (const auto fit_of = elasticity_model(model).fit; fit_of && !resources.totals_only)
+    if (const auto fit = fit_of(placed.asked.setup, placed.solved.contact.problem,
+                                foreseen_traits(placed.asked, placed.solved.contact, resources)))
+      why = asked_closed_form_text(model, *fit);
+  return recorded(std::move(placed), {model, why}, resources);
 }
 
 } // namespace
