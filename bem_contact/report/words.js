@@ -95,7 +95,8 @@ const sceneValue = key => {
 
 /// Radius of the wheel at the contact; undefined where there is no wheel.
 const radiusOf = contact => {
-  const depth = contact.group.patches?.wheel_z?.values[0], radius = Number(sceneValue("position.wheel_radius"));
+  const depth = contact.group.patches?.wheel_z?.values[0], own = contact.left ? sceneValue("wheelset.left_wheel_radius") : "";
+  const radius = Number(own || sceneValue("position.wheel_radius"));
   return radius > 0 && depth !== null && depth !== undefined ? radius + depth : undefined;
 };
 

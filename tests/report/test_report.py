@@ -93,6 +93,7 @@ class Report(unittest.TestCase):
         cls.folder = Path(cls.temporary.name)
         (cls.folder / "patch.toml").write_text(PATCH + "# </script><!--\n")
         (cls.folder / "wear.toml").write_text(WEAR)
+        (cls.folder / "wheelset.toml").write_text((SCENES / "wheelset.toml").read_text().replace("[wheelset]", "[wheelset]\nleft_wheel_radius = 459.5"))
         patch = cls.folder / "patch.toml"
         cls.files = {kind: cls.folder / f"{kind}.h5" for kind in ("result", "stresses", "cylinder", "comparison", "curves", "sweep", "cases",
                                                                    "conicity", "wheelset")}
@@ -111,7 +112,7 @@ class Report(unittest.TestCase):
                         ("sweep", SCENES / "cases_two_areas.toml", "-o", cls.files["sweep"]),
                         ("sweep", cls.folder / "wear.toml", "-o", cls.files["cases"]),
                         ("conicity", SCENES / "wheelset.toml", "-o", cls.files["conicity"]),
-                        ("wheelset", SCENES / "wheelset.toml", "-o", cls.files["wheelset"]),
+                        ("wheelset", cls.folder / "wheelset.toml", "-o", cls.files["wheelset"]),
                         ("fatigue", cls.folder / "wear.toml", "-o", cls.files["fatigue"]),
                         ("wear", cls.folder / "study.toml", "-o", cls.files["rates"]),
                         ("wear", SCENES / "wheelset.toml", "-o", cls.files["axle_rates"]),
@@ -353,6 +354,8 @@ class Report(unittest.TestCase):
                     radian, degrees = re.search(r"(-\d\S*) \((-\d\S*)°\)", row).groups()
                     self.assertAlmostEqual(float(radian), right, delta=1e-5)
                     self.assertAlmostEqual(float(degrees), np.degrees(right), delta=0.06)
+                    for left, radius, depth in show.value("contactsOf(data).map(c => [c.left, radiusOf(c), c.group.patches.wheel_z.values[0]])"):
+                        self.assertAlmostEqual(radius, (459.5 if left else 460) + depth, delta=1e-9)  # of the wheel in the picture
                 if kind == "comparison":
                     self.look_at_differences(show)
                 if kind == "curves":
