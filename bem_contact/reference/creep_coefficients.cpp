@@ -136,8 +136,8 @@ void require_table(double a_over_b, double poisson, int degree) {
 
 constexpr int degrees_of_ratio = 8, degrees_of_poisson = 3;
 /// 1. ln C11, ln C22, ln C23 = sum of these times T_i(log10 a/b) T_j(4 nu - 1): least squares over 24 x 7
-/// Chebyshev points of creep_coefficients() at degree 12. test_creep_coefficients.cpp compares them
-/// elsewhere.
+/// Chebyshev points of creep_coefficients() at degree 12. CreepCoefficients.QuickOnesAgreeWithThem compares
+/// them elsewhere.
 constexpr double chebyshev_of_logarithms[3][(degrees_of_ratio + 1) * (degrees_of_poisson + 1)] = {
     {1.64488,      0.211707,    0.0128767,    0.00116058,   0.604611,     -0.127137,
      -0.0130625,   -0.00147288, 0.210142,     -0.00177298,  0.00158597,   0.000346719,
