@@ -107,7 +107,7 @@ std::shared_ptr<SequenceFiles> read_profiles_of_step(const SceneFile& scene,
   SceneFile worn = scene;
   use_profile(worn.rail, folder / "rail.txt", "");
   use_profile(worn.wheel, folder / "wheel.txt", "");
-  const auto files = shared_files();
+  auto files = shared_files();
   read_profiles(worn, *files);
   return files;
 }
