@@ -118,6 +118,7 @@ TEST(FatigueOfResult, EachPatchOnItsOwn) {
 
 TEST(FatigueOfResult, RefusesWhatIsNoSolution) {
   SceneResult r;
+  r.result.trust.certificate.penetration = 1;
   try {
     fatigue_of(r);
     FAIL();
