@@ -208,19 +208,6 @@ void H5Writer::put(const std::string& name, std::size_t first, std::span<const d
   impl_->check(write_rows(impl_->root, name, first, values), "dataset " + name);
 }
 
-void H5Writer::copy(const H5Reader& from, std::span<const std::string> groups) {
-  const QuietHdf5 silence;
-  hsize_t bytes = 0;
-  H5Fget_filesize(from.root_, &bytes);
-  impl_->reserve(bytes / sizeof(double), 0);
-  H5Fset_libver_bounds(impl_->root, H5F_LIBVER_V110, H5F_LIBVER_V110); // as add() has it for checksums
-  const H5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  H5Pset_create_intermediate_group(links, 1);
-  for (const std::string& group : groups)
-    impl_->check(H5Ocopy(from.root_, group.c_str(), impl_->root, group.c_str(), H5P_DEFAULT, links) >= 0,
-                 "group " + group);
-}
-
 void H5Writer::finish() {
   const QuietHdf5 silence;
   impl_->check(H5Fflush(impl_->root, H5F_SCOPE_GLOBAL) >= 0, "its contents cannot be flushed");

@@ -17,8 +17,6 @@
 
 namespace bem_contact {
 
-class H5Reader;
-
 /// One dataset of doubles, row-major. Attributes "unit" and "description" say what it is.
 struct H5Dataset {
   std::vector<std::size_t> shape; ///< length of each dimension; empty: a single number
@@ -110,10 +108,6 @@ public:
   void add_line(const std::string& name, std::size_t size, const std::string& unit,
                 const std::string& description);
   void put(const std::string& name, std::size_t first, std::span<const double> values);
-  /// Copies groups of another file as they stand there, names and checksums too: a fifth of the time that it
-  /// takes to read and write them. Nothing is looked at, so that the file must be one that this program has
-  /// just written.
-  void copy(const H5Reader& from, std::span<const std::string> groups);
   void finish();
 
 private:
@@ -145,7 +139,6 @@ public:
   std::vector<double> line(const std::string& name, std::size_t first, std::size_t count) const;
 
 private:
-  friend class H5Writer;
   bool has(const std::string& path) const;
   [[noreturn]] void refuse() const;
 

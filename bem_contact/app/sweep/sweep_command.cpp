@@ -214,9 +214,7 @@ ExitCode run_all(const SweepRequest& request, SweepFile sweep) {
     const SolvedParts solved = solve_on_cores(folder, request.jobs, part_solver(asked));
     if (solved.code != 0)
       return static_cast<ExitCode>(solved.code);
-    std::vector<SweepPart> parts = folder.parts();
-    for (SweepPart& part : parts)
-      part.just_written = solved.first_cases.contains(part.cases.first);
+    const std::vector<SweepPart> parts = folder.parts();
     join(asked, parts, solved.died, request.output);
     if (solved.died.empty())
       folder.clear(parts);

@@ -40,15 +40,9 @@ public:
       file.require(name, count);
       return file.line(name, 0, count);
     });
-    const std::set<std::string> there = file.members("cases");
-    std::vector<std::string> groups;
-    for (std::size_t i = part.cases.first; !there.empty() && i < part.cases.last; ++i)
-      if (const std::string group = group_of_case(i); there.contains(group.substr(group.find('/') + 1)))
-        groups.push_back(group);
-    if (part.just_written)
-      writer_.copy(file, groups);
-    else
-      for (const std::string& group : groups)
+    const std::set<std::string> groups = file.members("cases");
+    for (std::size_t i = part.cases.first; !groups.empty() && i < part.cases.last; ++i)
+      if (const std::string group = group_of_case(i); groups.contains(group.substr(group.find('/') + 1)))
         add_members(group, file.group(group));
   }
 

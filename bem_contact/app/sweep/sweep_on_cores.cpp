@@ -149,7 +149,6 @@ private:
   std::size_t close(const EndOfChild& end) {
     if (end.code == success) {
       const CaseRange solved = cases_in_part(folder_.asked(), folder_.file(end.cases.first));
-      out_.first_cases.insert(solved.first);
       choose_size(end, solved.size());
       order_singly({solved.last, end.cases.last});
       return solved.size();

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <set>
 #include <vector>
 
 namespace bem_contact::app {
@@ -43,7 +42,6 @@ private:
 
 /// What was solved on this machine.
 struct SolvedParts {
-  std::set<std::size_t> first_cases; ///< of the parts that were written
   DiedCases died;
   int code = 0; ///< exit code of a process that could not go on, and has said why; 0: none
 };

@@ -26,8 +26,7 @@ struct AskedSweep {
 struct SweepPart {
   std::filesystem::path file;
   CaseRange cases;
-  std::size_t patches = 0;   ///< rows of the table of patches
-  bool just_written = false; ///< by this process or its children, so that nothing has changed it since
+  std::size_t patches = 0; ///< rows of the table of patches
 };
 
 /// Solves cases in this process and writes their file, which is whole or absent. Returns which they are.
