@@ -385,16 +385,16 @@ class Report(unittest.TestCase):
                     self.assertEqual(tops, sorted(tops))  # six numbers and bodies first, tables last
                     self.assertEqual(show.value("document.querySelectorAll('.six dd').length"), 6)
                     self.look_at_downloads(show)
-                self.look_at_width(show, browser.WIDE)
                 if kind in ("result", "sweep"):
-                    show.of_width(400)
-                    show.open(page)
-                    self.look_at_width(show, 400)
-                    show.of_width(browser.WIDE)
+                    for width in (1400, 400):
+                        show.of_width(width)
+                        show.open(page)
+                        self.look_at_width(show, width)
+                    show.of_width(browser.USUAL)
             # What was found nowhere so far can be found: words on words, wide tables, script errors.
             show.open(self.pages["wear"])
             show.value("(word => word.after(word.cloneNode(true)))(document.querySelector('#worn-rail svg .xtick text'))")
-            show.value("document.getElementById('steps').style.width = '2000px'")
+            show.value("document.getElementById('steps').style.width = '900px'")
             self.assertRegex(show.value(LOOK), "worn-rail: '.*' lies on '.*'")
             self.assertIn("steps is wider than the page", show.value(LOOK))
             page = self.folder / "damaged.html"
