@@ -3,7 +3,6 @@
 #include "bem_contact/scene/command_tables.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 #include "tests/app/run_program.hpp"
-#include "tests/sanitized.hpp"
 
 #include <gmock/gmock.h>
 
@@ -123,7 +122,6 @@ TEST_F(Study, OfAWheelset) {
 
 /// The influence files come from a program of the scene, once; then models are compared with them.
 TEST_F(Study, WithInfluenceFiles) {
-  NEEDS_NO_SANITIZER(); // the numbers of a comparison
   const std::string shipped = CONFORMAL_SOURCE_DIR "/data/influence/small_";
   write("rail.toml", "[body]\nkind = \"rail\"\nprofile = \"60E1\"\n");
   write("wheel.toml", "[body]\nkind = \"wheel\"\nprofile = \"S1002\"\n");
@@ -169,7 +167,6 @@ TEST_F(Study, SaysWhichInfluenceFileIsMissing) {
 
 /// Killed in the middle, it goes on: what was whole stays, the rest is computed, and all is as in one go.
 TEST_F(Study, GoesOnAfterAKill) {
-  NEEDS_NO_SANITIZER();
   const std::string tables =
       "[conicity]\nto = 3\n[creep_curves]\nxi = \"-3e-3:3e-3:31\"\neta = \"-3e-3:3e-3:31\"\n";
   const std::string file = write("case.toml", wheel_on_rail + tables).string();

@@ -5,7 +5,6 @@
 #include "bem_contact/h5/table.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
 #include "tests/app/run_program.hpp"
-#include "tests/sanitized.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -16,12 +15,6 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <thread>
-
-/// HDF5 itself does not free what it read before a checksum that does not hold.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() {
-  return "leak:libhdf5";
-}
 
 namespace {
 
@@ -107,7 +100,6 @@ TEST_F(Sweep, EachCaseIsWhatSolveSaysOfIt) {
 }
 
 TEST_F(Sweep, ResultsDoNotDependOnTheNumberOfProcesses) {
-  NEEDS_NO_SANITIZER();
   ASSERT_EQ(sweep(cases, "--jobs 1").code, 0);
   const H5Table one = found(out());
   fs::remove(out());
@@ -124,7 +116,6 @@ std::size_t files_in(const fs::path& folder) {
 }
 
 TEST_F(Sweep, KilledItGoesOnAndSolvesNothingTwice) {
-  NEEDS_NO_SANITIZER(); // other tests leave parts behind in other ways
   ASSERT_EQ(sweep(cases).code, 0);
   const H5Table whole = found(out());
   fs::remove(out());
@@ -200,8 +191,7 @@ TEST_F(Sweep, APartThatIsCutOrChangedIsRefused) {
     EXPECT_FALSE(fs::exists(out()));
   }
   // Any other: refused, or of no meaning.
-  for (std::size_t at = 1; at < bytes.size();
-       at += bytes.size() / static_cast<std::size_t>(tests::alike(60))) {
+  for (std::size_t at = 1; at < bytes.size(); at += bytes.size() / 60) {
     const Outcome changed = changed_at(at);
     EXPECT_EQ(changed.code, fs::exists(out()) ? 0 : 2) << at << changed.err;
     if (fs::exists(out()))
