@@ -29,7 +29,8 @@ struct CollectiveCase {
 
 /// What one case takes off both bodies, mm: off the rail in a passage, off the wheel in a revolution.
 struct CaseWear {
-  DepthOverS rail, wheel;
+  DepthOverS rail;  ///< in a passage
+  DepthOverS wheel; ///< in a revolution
 };
 
 struct WornPair;
