@@ -8,13 +8,19 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <fmt/format.h>
+#include <thread>
 #include <utility>
 
 namespace bem_contact {
 
 namespace {
+
+/// How long a lock is waited for: processes that a killed run has started end within this, and hold it till then.
+constexpr std::chrono::milliseconds longest_wait{1000};
+constexpr std::chrono::milliseconds between_tries{20};
 
 /// Whether the name still leads to the open file: who held the lock before may have removed it.
 bool is_named(int handle, const std::filesystem::path& file) {
@@ -27,7 +33,13 @@ bool is_named(int handle, const std::filesystem::path& file) {
 } // namespace
 
 std::string lock_file(int handle, const std::filesystem::path& file, std::string_view if_in_use) {
-  if (flock(handle, LOCK_EX | LOCK_NB) == 0)
+  const auto until = std::chrono::steady_clock::now() + longest_wait;
+  int locked = flock(handle, LOCK_EX | LOCK_NB);
+  while (locked != 0 && errno == EWOULDBLOCK && std::chrono::steady_clock::now() < until) {
+    std::this_thread::sleep_for(between_tries);
+    locked = flock(handle, LOCK_EX | LOCK_NB);
+  }
+  if (locked == 0)
     return "";
   if (errno == EWOULDBLOCK)
     throw InputError(fmt::format("The file '{}' is in use", file.string()), "another process writes it",
