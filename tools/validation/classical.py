@@ -8,30 +8,26 @@ from verification.program import ROOT
 from .points import read
 
 WANTED = [
-    ("johnson_1958", "Johnson (1958), The effect of a tangential contact force upon the rolling motion of an elastic sphere on a plane; "
-                     "The effect of spin upon the rolling motion of an elastic sphere upon a plane. J. Applied Mechanics 25",
+    ("johnson_1958", "Johnson (1958), J. Applied Mechanics 25: the effect of a tangential contact force, and of spin, upon the rolling motion of a sphere",
      "steel balls between planes: creepage over tangential force; lateral creepage by spin"),
-    ("vermeulen_johnson_1964", "Vermeulen and Johnson (1964), Contact of nonspherical elastic bodies transmitting tangential forces. "
-                               "J. Applied Mechanics 31", "ellipses of several a/b: creepage over tangential force"),
+    ("vermeulen_johnson_1964", "Vermeulen and Johnson (1964), J. Applied Mechanics 31", "ellipses of several a/b: creepage over tangential force"),
     ("halling_1964", "Halling (1964), on microslip by conformity. J. Mechanical Engineering Science 6",
      "a ball in a groove of nearly its radius: slip by conformity"),
     ("poole", "Poole, tests on rolling discs", "rolling discs: traction over creepage"),
 ]
 
-
 def chapter(page, program, folder, say):
     page.heading("3 What is wanted")
     page.text("""These measurements are classical, and their numbers are in libraries and not here. Each has a scene in
-        `tools/validation/wanted` with the unit ellipse of its test. Add a file of that name to the folder of measured points, CSV with the columns
+        `tools/validation/wanted` with the unit ellipse of its test. Add a CSV file of that name to the folder of measured points, with the columns
         `creepage, force`, and this page compares them. Creepage is
         multiplied by the slope of linear theory, G a b C11, over mu Fn; force is Fx over mu Fn. Both are free of the size of the test.""")
     rows = []
     for name, source, what in WANTED:
         say(name)
         scene = flat(tomllib.loads((ROOT / "tools" / "validation" / "wanted" / f"{name}.toml").read_text()))
-        rows.append([source, what, f"`{name}.toml`", f"`{name}.csv`", compared(program, scene, folder / f"{name}.csv")])
-    page.table(["measurement", "what", "scene", "points", "difference, mean and largest"], rows)
-
+        rows.append([source, what, f"`{name}.toml`", compared(program, scene, folder / f"{name}.csv")])
+    page.table(["measurement", "what", "scene", "difference, mean and largest"], rows)
 
 def flat(table, path=""):
     """{"load.force": 1.0} of nested tables."""
@@ -39,7 +35,6 @@ def flat(table, path=""):
     for key, value in table.items():
         out |= flat(value, f"{path}{key}.") if isinstance(value, dict) else {path + key: value}
     return out
-
 
 def compared(program, scene, file):
     if not file.exists():

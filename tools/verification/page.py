@@ -3,7 +3,6 @@
 import html
 import re
 
-
 class Page:
     def __init__(self, title):
         self.blocks = [("title", title)]
@@ -18,6 +17,9 @@ class Page:
         self.blocks.append(("items", [" ".join(i.split()) for i in items]))
 
     def table(self, head, rows):
+        """A last column without a head is left out where it says nothing."""
+        if not head[-1] and not any(row[-1] for row in rows):
+            head, rows = head[:-1], [row[:-1] for row in rows]
         self.blocks.append(("table", (head, [[str(c) for c in row] for row in rows])))
 
     def verbatim(self, text):
@@ -76,14 +78,12 @@ class Page:
         return (f"<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{title}</title>"
                 f"<style>{style}</style></head><body>\n" + "\n".join(out) + "\n</body></html>\n")
 
-
 def inline(text):
     """Code, bold and links of Markdown; a link to a file of the repository is shown as its text."""
     text = html.escape(text, quote=False)
     text = re.sub(r"`([^`]*)`", r"<code>\1</code>", text)
     text = re.sub(r"\*\*([^*]*)\*\*", r"<b>\1</b>", text)
     return re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", text)
-
 
 def wrap(text, first="", rest="", width=120):
     lines, line = [], first
@@ -94,10 +94,8 @@ def wrap(text, first="", rest="", width=120):
         line += word + " "
     return "\n".join([*lines, line.rstrip()])
 
-
 def number(value, digits=6):
     return f"{value:.{digits}g}"
-
 
 def percent(value):
     return "0" if value < 5e-16 else f"{100 * value:.2g} %"
