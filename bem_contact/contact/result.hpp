@@ -14,7 +14,8 @@ namespace bem_contact {
 enum class ElementState : unsigned char { exterior, adhesion, slip };
 
 /// How far a result violates the equations. It is computed from the tractions alone, by code that shares
-/// nothing with the solvers. Each entry is relative; the result holds if worst() <= 1e-6.
+/// nothing with the solvers. Each entry is relative; the result holds if worst() <= 1e-6. An entry that is
+/// nan was not checked: so a result that nobody has checked is not certified.
 ///
 /// Coulomb's law leaves an element in contact two states, adhesion and slip. The element counts for the one
 /// that it is nearer to (`adhesion` or `slip_direction`). Scales: pressure over pmax; the approach scale is
@@ -33,21 +34,26 @@ enum class ElementState : unsigned char { exterior, adhesion, slip };
 /// carries mu p_n S/|S| with the mu of its own slip and temperature, and the cone is that of no slip at this
 /// temperature. Slip and temperature are computed here from the tractions.
 struct Certificate {
-  double pressure = 0;        ///< largest -p_n, over pmax
-  double penetration = 0;     ///< largest -e, over the approach scale
-  double complementarity = 0; ///< largest p_n e, over pmax times the approach scale
-  double friction_cone = 0;   ///< largest |p_t| - mu p_n, over the largest mu p_n
-  double adhesion = 0;        ///< largest |S| where |p_t| < mu p_n, over the slip scale
-  double slip_direction = 0;  ///< largest deviation of p_t from mu p_n S/|S| where it slips, over mu pmax
+  double pressure = unknown_error;        ///< largest -p_n, over pmax
+  double penetration = unknown_error;     ///< largest -e, over the approach scale
+  double complementarity = unknown_error; ///< largest p_n e, over pmax times the approach scale
+  double friction_cone = unknown_error;   ///< largest |p_t| - mu p_n, over the largest mu p_n
+  double adhesion = unknown_error;        ///< largest |S| where |p_t| < mu p_n, over the slip scale
+  double slip_direction =
+      unknown_error; ///< largest deviation of p_t from mu p_n S/|S| where it slips, over mu pmax
   /// The largest of |Fz - force| over the prescribed force, and of |Fx - force_x| and |Fs - force_s| over
   /// sum mu p_n dS, for those that are prescribed.
-  double force_balance = 0;
+  double force_balance = unknown_error;
   double tolerance = 1e-6; ///< the result holds if no violation is above it
   /// What the rounding of sums may make of these violations, at most: the unit roundoff times the number of
   /// elements in contact times the largest of the terms that cancel in e and in S, over the scale of either.
   double rounding = 0;
   /// Discretisation::worst(): a relative error, not a violation; worst() leaves it out. < 0: not estimated.
   double discretisation = -1;
+
+  /// Nothing is violated. What checks a result, or a closed form that meets the conditions by its
+  /// construction, begins here and puts in what it finds.
+  static Certificate without_violation();
 
   double worst() const; ///< largest violation; infinite if one is not a number
   /// The name of the largest violation, as the members have it.

@@ -27,6 +27,22 @@ struct Pressed {
   }
 };
 
+/// A result is certified only if each condition was checked.
+TEST(ContactResult, ThatNobodyCheckedIsNotCertified) {
+  EXPECT_FALSE(ContactResult().certified());
+  ContactResult checked;
+  checked.trust.certificate = Certificate::without_violation();
+  EXPECT_TRUE(checked.certified());
+  for (double Certificate::*condition :
+       {&Certificate::pressure, &Certificate::penetration, &Certificate::complementarity,
+        &Certificate::friction_cone, &Certificate::adhesion, &Certificate::slip_direction,
+        &Certificate::force_balance}) {
+    ContactResult missing = checked;
+    missing.trust.certificate.*condition = Certificate().*condition;
+    EXPECT_FALSE(missing.certified());
+  }
+}
+
 /// Neighbours by a corner are one area; the area with the larger force is the first.
 TEST(ContactResult, PatchesHaveTheirElements) {
   const Pressed p({1, 0, 0, //

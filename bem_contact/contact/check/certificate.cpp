@@ -329,7 +329,7 @@ Certificate certify(const ContactProblem& problem, const ContactResult& result, 
                     int threads) {
   require_fields(problem, result);
   const std::vector<int> elements = elements_of_slip(problem, result);
-  Certificate certificate;
+  Certificate certificate = Certificate::without_violation();
   contact::WantedDisplacements wanted{std::nullopt, std::nullopt};
   if (!displacements)
     wanted = {places_ahead(problem, elements, 0, columns_ahead(slip_step(problem))),

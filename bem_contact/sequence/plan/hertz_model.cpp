@@ -132,6 +132,7 @@ ContactResult without_contact(const ContactProblem& problem) {
   result.state.assign(n, ElementState::exterior);
   result.effort.normal_solver = "Hertz";
   result.effort.tangential_solver = "none";
+  result.trust.certificate = Certificate::without_violation();
   result.trust.certificate.discretisation = 0;
   return result;
 }

@@ -168,6 +168,8 @@ ContactResult empty_result(const ContactProblem& problem) {
   result.state.assign(problem.grid.size(), ElementState::exterior);
   result.effort.normal_solver = "Hertz by patch";
   result.effort.tangential_solver = "simplified theory";
+  result.trust.certificate = Certificate::without_violation();
+  result.trust.certificate.discretisation = 0;
   result.trust.why_no_errors = "what the simplified theory misses is not a matter of elements";
   return result;
 }
@@ -337,7 +339,6 @@ ContactResult solve_simplified(const ContactSetup& setup, const ContactProblem& 
   }
   result.displacements.un.assign(problem.grid.size(), 0.0);
   set_totals(problem, result); // the overlap of patches is that of this approach
-  result.trust.certificate.discretisation = 0;
   if (problem.load == LoadKind::force)
     result.trust.certificate.force_balance =
         problem.force > 0 ? std::abs(result.totals.Fz / problem.force - 1) : 0.0;

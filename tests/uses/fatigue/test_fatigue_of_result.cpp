@@ -87,6 +87,7 @@ TEST(FatigueOfResult, FullSlipOnACircle) {
 /// Two patches on one grid are told apart, the one with the larger force first.
 TEST(FatigueOfResult, EachPatchOnItsOwn) {
   SceneResult r;
+  r.result.trust.certificate = Certificate::without_violation();
   r.problem.grid = {3, 5, 1.0, 2.0, -1};
   for (int i = 0; i < 5; ++i)
     r.problem.rows.push_back({2.0 * i, {2.0 * i, 0.0}, 0.0});
