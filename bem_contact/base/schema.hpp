@@ -85,14 +85,24 @@ public:
   }
   template <NamedEnum E>
   void add(std::string path, std::vector<E>& values, std::string doc, KeyRule rule = {}) {
-    const auto& names = EnumNames<E>::names;
-    const auto set = [&values](const auto& at) {
+    std::vector<E> all(EnumNames<E>::names.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      all[i] = static_cast<E>(i);
+    add(std::move(path), values, std::move(all), std::move(doc), std::move(rule));
+  }
+  /// `allowed`: the values that the key takes.
+  template <NamedEnum E>
+  void add(std::string path, std::vector<E>& values, std::vector<E> allowed, std::string doc,
+           KeyRule rule = {}) {
+    std::vector<std::string> names;
+    for (const E value : allowed)
+      names.emplace_back(name_of(value));
+    const auto set = [&values, allowed = std::move(allowed)](const auto& at) {
       values.clear();
       for (const std::size_t i : at)
-        values.push_back(static_cast<E>(i));
+        values.push_back(allowed[i]);
     };
-    add_key(std::move(path),
-            NamedChoice{{names.begin(), names.end()}, [&values] { return names_of(values); }, set, true},
+    add_key(std::move(path), NamedChoice{std::move(names), [&values] { return names_of(values); }, set, true},
             std::move(doc), std::move(rule));
   }
   /// `none`: what the file writes for the empty optional.
@@ -185,6 +195,11 @@ public:
   /// Does what Schema::add() does.
   template <class Value> void add(const std::string& key, Value&& value, std::string doc, KeyRule rule = {}) {
     schema_.add(name_ + "." + key, std::forward<Value>(value), std::move(doc), of_kinds(std::move(rule)));
+  }
+  template <NamedEnum E>
+  void add(const std::string& key, std::vector<E>& values, std::vector<E> allowed, std::string doc,
+           KeyRule rule = {}) {
+    schema_.add(name_ + "." + key, values, std::move(allowed), std::move(doc), of_kinds(std::move(rule)));
   }
   template <NamedEnum E>
   void add(const std::string& key, std::optional<E>& value, std::string none, std::string doc,

@@ -99,19 +99,18 @@ template <> struct EnumNames<Model> {
   }();
 };
 
-/// What grid.accuracy may be about. `forces`: forces, moment and approach (Discretisation::worst()).
-enum class AccuracyOf { forces, pmax, area, adhesion, approach, creepages, friction_power };
-template <> struct EnumNames<AccuracyOf> {
+/// A quantity whose error a scene may limit: the error that elements cause (grid.accuracy_of), or that a
+/// model is predicted to have (solver.model_tolerance_of). `forces`: of elements forces, moment and approach
+/// (Discretisation::worst()). `creepages`: those that are found for prescribed shear forces; not that of free
+/// rolling, which comes along.
+enum class ErrorQuantity { forces, pmax, area, adhesion, approach, creepages, friction_power };
+template <> struct EnumNames<ErrorQuantity> {
   static constexpr std::array<std::string_view, 7> names{"forces",   "pmax",      "area",          "adhesion",
                                                          "approach", "creepages", "friction_power"};
 };
-
-/// What solver.model_tolerance may be about. `creepages`: those that are found for prescribed shear forces;
-/// not that of free rolling, which comes along.
-enum class ModelErrorOf { forces, pmax, creepages, friction_power };
-template <> struct EnumNames<ModelErrorOf> {
-  static constexpr std::array<std::string_view, 4> names{"forces", "pmax", "creepages", "friction_power"};
-};
+/// Those that are predicted of models.
+inline constexpr std::array<ErrorQuantity, 4> predicted_quantities{
+    ErrorQuantity::forces, ErrorQuantity::pmax, ErrorQuantity::creepages, ErrorQuantity::friction_power};
 
 /// The name of an empty choice of model: the cheapest model that is accurate enough.
 inline constexpr std::string_view automatic_model = "auto";

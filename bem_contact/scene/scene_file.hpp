@@ -154,7 +154,7 @@ struct SceneFile {
     std::optional<int> elements;    ///< wheel_rail: wanted in contact, instead of dx and ds
     std::optional<double> accuracy; ///< wheel_rail: discretisation error wanted, instead of dx and ds
     /// What `accuracy` is about; one at least.
-    std::vector<AccuracyOf> accuracy_of{AccuracyOf::forces, AccuracyOf::pmax};
+    std::vector<ErrorQuantity> accuracy_of{ErrorQuantity::forces, ErrorQuantity::pmax};
     bool plane_strain = false;    ///< patch: mx = 1, infinitely long along x, forces per mm
     std::optional<RowRange> rows; ///< wheel_rail: keys s_from and s_to, on the rail's arc length
     bool planar = false;          ///< wheel_rail: all rows in the tangent plane at the reference point
@@ -232,8 +232,8 @@ struct SceneFile {
     std::optional<Model> model;    ///< empty: the cheapest that is accurate enough
     double model_tolerance = 0.01; ///< relative, for auto
     /// What `model_tolerance` is about; one at least.
-    std::vector<ModelErrorOf> model_tolerance_of{ModelErrorOf::forces, ModelErrorOf::pmax,
-                                                 ModelErrorOf::creepages, ModelErrorOf::friction_power};
+    std::vector<ErrorQuantity> model_tolerance_of{ErrorQuantity::forces, ErrorQuantity::pmax,
+                                                  ErrorQuantity::creepages, ErrorQuantity::friction_power};
     double tolerance = 1e-8; ///< relative, of the iterations
     int max_outer = 50;      ///< outer iterations
     /// What structural motion does to the geometry.

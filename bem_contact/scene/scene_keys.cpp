@@ -112,6 +112,7 @@ void add_solver(Schema& s, SceneFile::Solver& solver) {
   t.add("model_tolerance", solver.model_tolerance, "For auto: predicted error of the model that is allowed",
         {.above = 0, .at_most = 1});
   t.add("model_tolerance_of", solver.model_tolerance_of,
+        std::vector<ErrorQuantity>(predicted_quantities.begin(), predicted_quantities.end()),
         "What model_tolerance is about, with commas between: forces, pmax, creepages (those that are "
         "found), friction_power");
   t.add("tolerance", solver.tolerance, "Relative tolerance of the iterations",

@@ -13,22 +13,22 @@ double relative(const Measured& number) {
   return number.value != 0 ? number.error / std::abs(number) : 0.0;
 }
 
-double error_of(AccuracyOf what, const ContactResult& r) {
+double error_of(ErrorQuantity what, const ContactResult& r) {
   const ContactTotals& totals = r.totals;
   switch (what) {
-  case AccuracyOf::pmax:
+  case ErrorQuantity::pmax:
     return relative(totals.pmax);
-  case AccuracyOf::area:
+  case ErrorQuantity::area:
     return relative(totals.area);
-  case AccuracyOf::adhesion:
+  case ErrorQuantity::adhesion:
     return totals.adhesion_share.error;
-  case AccuracyOf::approach:
+  case ErrorQuantity::approach:
     return relative(totals.approach);
-  case AccuracyOf::creepages:
+  case ErrorQuantity::creepages:
     return std::max(relative(totals.creepage_x), relative(totals.creepage_s));
-  case AccuracyOf::friction_power:
+  case ErrorQuantity::friction_power:
     return relative(totals.T_gamma);
-  case AccuracyOf::forces:
+  case ErrorQuantity::forces:
     break;
   }
   return r.trust.certificate.discretisation;
@@ -43,8 +43,8 @@ double asked_error(const SceneFile::Grid& grid, const ContactResult& result) {
     return forces;
   const Measured change{result.totals.pmax, result.totals.pmax - estimate->coarse.pmax};
   double largest = 0;
-  for (const AccuracyOf what : grid.accuracy_of)
-    largest = std::max(largest, what == AccuracyOf::forces || estimate->converges
+  for (const ErrorQuantity what : grid.accuracy_of)
+    largest = std::max(largest, what == ErrorQuantity::forces || estimate->converges
                                     ? error_of(what, result)
                                     : std::max(forces, relative(change)));
   return largest;

@@ -351,15 +351,16 @@ TEST(SceneFile, ListsOfNumbers) {
 
 TEST(SceneFile, TheAccuracyIsOfTheQuantitiesNamed) {
   const std::string wheel = "rail.profile = '60E1'\nwheel.profile = 'S1002'\nload.force = 1e5\n";
-  EXPECT_THAT(parse_scene_file(wheel).grid.accuracy_of, ElementsAre(AccuracyOf::forces, AccuracyOf::pmax));
+  EXPECT_THAT(parse_scene_file(wheel).grid.accuracy_of,
+              ElementsAre(ErrorQuantity::forces, ErrorQuantity::pmax));
   EXPECT_THAT(parse_scene_file(wheel + "grid.accuracy = 0.01\ngrid.accuracy_of = 'area,  creepages'")
                   .grid.accuracy_of,
-              ElementsAre(AccuracyOf::area, AccuracyOf::creepages));
+              ElementsAre(ErrorQuantity::area, ErrorQuantity::creepages));
   EXPECT_THROW(parse_scene_file(wheel + "grid.accuracy = 0.01\ngrid.accuracy_of = 'pressure'"), InputError);
   EXPECT_THROW(parse_scene_file(wheel + "grid.accuracy = 0.01\ngrid.accuracy_of = ''"), InputError);
   EXPECT_THAT(
       parse_scene_file(wheel + "solver.model_tolerance_of = 'pmax,friction_power'").solver.model_tolerance_of,
-      ElementsAre(ModelErrorOf::pmax, ModelErrorOf::friction_power));
+      ElementsAre(ErrorQuantity::pmax, ErrorQuantity::friction_power));
   EXPECT_THAT(refusal(wheel + "solver.model_tolerance_of = 'forces, pmx'"),
               AllOf(HasSubstr(":4: solver.model_tolerance_of = "), HasSubstr("'pmx' is unknown"),
                     HasSubstr("Did you mean \"pmax\"?")));

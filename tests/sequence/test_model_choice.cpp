@@ -23,8 +23,8 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::vector<ModelErrorOf> all_four{ModelErrorOf::forces, ModelErrorOf::pmax, ModelErrorOf::creepages,
-                                         ModelErrorOf::friction_power};
+const std::vector<ErrorQuantity> all_four{ErrorQuantity::forces, ErrorQuantity::pmax,
+                                          ErrorQuantity::creepages, ErrorQuantity::friction_power};
 
 /// A roller of radius 10 mm in a groove of 10.02 mm under 20 kN: the normal turns by 1.9 rad.
 ContactTraits in_the_groove() {
@@ -38,7 +38,7 @@ ContactTraits in_the_groove() {
   return traits;
 }
 
-ModelChoice choice(const ContactTraits& traits, double tolerance, std::vector<ModelErrorOf> of,
+ModelChoice choice(const ContactTraits& traits, double tolerance, std::vector<ErrorQuantity> of,
                    bool fem = true) {
   return choose_model(traits, {tolerance, std::move(of), fem});
 }
@@ -62,7 +62,7 @@ double halfspace_pmax_error(const SceneResult& r) {
 
 /// At equal force the half-space's pmax is 2.5 % off there (README), and tangent planes' below 1 %.
 TEST(ModelChoice, InAGrooveIsByTheTolerance) {
-  const std::vector<ModelErrorOf> pressure{ModelErrorOf::pmax};
+  const std::vector<ErrorQuantity> pressure{ErrorQuantity::pmax};
   EXPECT_EQ(choice(in_the_groove(), 0.05, pressure).model, Model::halfspace);
   EXPECT_EQ(choice(in_the_groove(), 0.01, pressure).model, Model::tangent_plane);
   EXPECT_EQ(choice(in_the_groove(), 0.001, pressure).model, Model::fem);
@@ -105,7 +105,7 @@ TEST(ModelChoice, PredictionsGrow) {
     for (const ContactTraits& traits : more) {
       const ModelErrors after = predicted_errors(model, traits);
       double sum_before = 0, sum_after = 0;
-      for (const ModelErrorOf what : all_four) {
+      for (const ErrorQuantity what : all_four) {
         EXPECT_GE(after.of(what), before.of(what)) << name_of(what);
         sum_before += before.of(what);
         sum_after += after.of(what);
@@ -119,14 +119,14 @@ TEST(ModelChoice, PredictionsGrow) {
 TEST(ModelChoice, IsAboutTheNamedQuantities) {
   ContactTraits traits = in_the_groove();
   traits.prescribed.force = true;
-  EXPECT_EQ(choice(traits, 0.02, {ModelErrorOf::forces}).model, Model::halfspace);
-  const ModelChoice creepage = choice(traits, 0.02, {ModelErrorOf::forces, ModelErrorOf::creepages});
+  EXPECT_EQ(choice(traits, 0.02, {ErrorQuantity::forces}).model, Model::halfspace);
+  const ModelChoice creepage = choice(traits, 0.02, {ErrorQuantity::forces, ErrorQuantity::creepages});
   EXPECT_EQ(creepage.model, Model::fem);
   EXPECT_THAT(creepage.why_this_model, AllOf(HasSubstr("error of half-space theory is"),
                                              HasSubstr("% in creepages, of tangent planes"),
                                              HasSubstr("in creepages: more than the 2 % allowed")));
   traits.prescribed.force = false;
-  EXPECT_EQ(choice(traits, 0.02, {ModelErrorOf::creepages}).model, Model::halfspace);
+  EXPECT_EQ(choice(traits, 0.02, {ErrorQuantity::creepages}).model, Model::halfspace);
   EXPECT_THROW(parse_scene_file("kind = 'wheel_rail'\nrail.profile = '60E1'\nwheel.profile = 'S1002'\n"
                                 "load.force = 1e4\nsolver.model_tolerance_of = 'pmax, creepage'"),
                InputError);
@@ -139,9 +139,9 @@ TEST(ModelChoice, KnowsWhetherThePlaceIsGiven) {
   flange.turn = 0.2;
   flange.inclination = 1;
   flange.force_steepness = 5;
-  EXPECT_EQ(choice(flange, 0.02, {ModelErrorOf::forces}).model, Model::halfspace);
+  EXPECT_EQ(choice(flange, 0.02, {ErrorQuantity::forces}).model, Model::halfspace);
   flange.prescribed.place = true;
-  EXPECT_EQ(choice(flange, 0.02, {ModelErrorOf::forces}).model, Model::fem);
+  EXPECT_EQ(choice(flange, 0.02, {ErrorQuantity::forces}).model, Model::fem);
 }
 
 /// Where nothing tells how the real bodies roll freely, nobody knows what a given creepage does to them.
@@ -161,7 +161,7 @@ TEST(ModelChoice, ClaimsNothingOfCreepForcesWithoutBodies) {
           "in pmax: within the 5 % allowed. Errors in forces, friction_power are not known without "
           "influence files of both bodies",
           100 * predicted_errors(Model::halfspace, rolling).pmax));
-  const ModelChoice forces = choice(rolling, 0.05, {ModelErrorOf::forces}, false);
+  const ModelChoice forces = choice(rolling, 0.05, {ErrorQuantity::forces}, false);
   EXPECT_THAT(forces.why_this_model, Not(HasSubstr("predicted")));
   EXPECT_THAT(forces.why_this_model, HasSubstr("errors in forces are not known without influence files"));
   rolling.prescribed.creepage = false;

@@ -22,22 +22,22 @@ double largest(const ModelErrors& errors, const ModelRequest& request) {
 
 /// "half-space theory is 0.2 % in pmax"
 std::string error_text(const std::string& model, const ModelErrors& errors,
-                       const std::vector<ModelErrorOf>& of) {
-  const ModelErrorOf worst = errors.worst(of);
+                       const std::vector<ErrorQuantity>& of) {
+  const ErrorQuantity worst = errors.worst(of);
   return fmt::format("{} {:.1f} % in {}", model, 100 * errors.of(worst), name_of(worst));
 }
 
 /// The quantities asked for, by whether the influence files of both bodies would add to their errors: how the
 /// real bodies roll freely is known from these files alone (ContactTraits::bodies).
 struct PredictedQuantities {
-  std::vector<ModelErrorOf> known, unknown;
+  std::vector<ErrorQuantity> known, unknown;
 };
 PredictedQuantities split_by_what_files_add(const ContactTraits& traits, const ModelRequest& request) {
   ContactTraits with_bodies = traits;
   with_bodies.bodies = true;
   const ModelErrors here = halfspace_errors(traits), there = halfspace_errors(with_bodies);
   PredictedQuantities out;
-  for (const ModelErrorOf what : request.of)
+  for (const ErrorQuantity what : request.of)
     (there.of(what) > here.of(what) ? out.unknown : out.known).push_back(what);
   return out;
 }
@@ -105,9 +105,9 @@ ModelChoice choose_closed_form(Model model, const ClosedFormFit& fit, const Mode
 std::string asked_closed_form_text(Model model, const ClosedFormFit& fit) {
   std::string out =
       fmt::format("asked for; {}predicted errors of {}", fit.why, elasticity_model(model).in_words);
-  for (std::size_t k = 0; k < EnumNames<ModelErrorOf>::names.size(); ++k)
-    out += fmt::format("{} {} {:.1f} %", k > 0 ? "," : ":", EnumNames<ModelErrorOf>::names[k],
-                       100 * fit.errors.of(static_cast<ModelErrorOf>(k)));
+  for (const ErrorQuantity what : predicted_quantities)
+    out += fmt::format("{} {} {:.1f} %", what == predicted_quantities.front() ? ":" : ",", name_of(what),
+                       100 * fit.errors.of(what));
   return out;
 }
 
@@ -123,7 +123,7 @@ ModelChoice choose_model(const ContactTraits& traits, const ModelRequest& reques
   const std::string turn =
       traits.prescribed.structures ? "the structures' motion is included; " : turn_text(traits.turn);
   const PredictedQuantities predicted = split_by_what_files_add(traits, request);
-  const auto errors = [&](const std::vector<ModelErrorOf>& of, std::size_t models) {
+  const auto errors = [&](const std::vector<ErrorQuantity>& of, std::size_t models) {
     std::string out;
     for (std::size_t k = 0; k < models && !of.empty(); ++k)
       out +=

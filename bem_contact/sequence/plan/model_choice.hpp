@@ -13,9 +13,9 @@ struct HertzModel;
 
 /// What is asked of a model.
 struct ModelRequest {
-  double tolerance = 0.01;                          ///< solver.model_tolerance
-  std::vector<ModelErrorOf> of{ModelErrorOf::pmax}; ///< solver.model_tolerance_of; one at least
-  bool fem = false;                                 ///< finite elements can be taken
+  double tolerance = 0.01;                            ///< solver.model_tolerance
+  std::vector<ErrorQuantity> of{ErrorQuantity::pmax}; ///< solver.model_tolerance_of; one at least
+  bool fem = false;                                   ///< finite elements can be taken
   std::string without_fem = "the scene names no influence files of both bodies"; ///< why not, if they cannot
 };
 ModelRequest request_of(const ContactCase& asked);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace bem_contact {
 
@@ -139,14 +138,23 @@ ModelErrors errors_with(double pressure, const ContactTraits& traits) {
 
 } // namespace
 
-double ModelErrors::of(ModelErrorOf what) const {
-  const double all[] = {forces, pmax, creepages, friction_power};
-  static_assert(std::size(all) == EnumNames<ModelErrorOf>::names.size());
-  return all[static_cast<std::size_t>(what)];
+double ModelErrors::of(ErrorQuantity what) const {
+  switch (what) {
+  case ErrorQuantity::forces:
+    return forces;
+  case ErrorQuantity::pmax:
+    return pmax;
+  case ErrorQuantity::creepages:
+    return creepages;
+  case ErrorQuantity::friction_power:
+    return friction_power;
+  default:
+    return 0;
+  }
 }
 
-ModelErrorOf ModelErrors::worst(std::span<const ModelErrorOf> named) const {
-  return *std::ranges::max_element(named, {}, [&](ModelErrorOf what) { return of(what); });
+ErrorQuantity ModelErrors::worst(std::span<const ErrorQuantity> named) const {
+  return *std::ranges::max_element(named, {}, [&](ErrorQuantity what) { return of(what); });
 }
 
 PrescribedMotion prescribed_of(const ContactCase& asked) {

@@ -14,9 +14,10 @@ namespace bem_contact {
 struct ModelErrors {
   double forces = 0, pmax = 0, creepages = 0, friction_power = 0;
 
-  double of(ModelErrorOf what) const;
+  /// One of predicted_quantities.
+  double of(ErrorQuantity what) const;
   /// The quantity that is worst; of those named. At least one is.
-  ModelErrorOf worst(std::span<const ModelErrorOf> named) const;
+  ErrorQuantity worst(std::span<const ErrorQuantity> named) const;
 };
 
 /// What a scene prescribes, where that decides how far models differ.

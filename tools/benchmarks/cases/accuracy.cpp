@@ -28,7 +28,7 @@ void rows(const SweepFile& sweep, const std::vector<double>& asked, const std::v
     for (std::size_t i = 0; i < sweep.size(); i += every) {
       SceneFile scene = sweep.scene(i);
       scene.grid.accuracy = wanted;
-      scene.grid.accuracy_of = {AccuracyOf::forces}; // error_of() knows nothing of pmax
+      scene.grid.accuracy_of = {ErrorQuantity::forces}; // error_of() knows nothing of pmax
       const std::clock_t start = std::clock();
       std::string error, estimate, elements = ",", status = "refused"; // empty: not known
       int contact = 0;

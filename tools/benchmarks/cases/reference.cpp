@@ -48,7 +48,7 @@ std::vector<Reference> references(const SweepFile& sweep, const SweepFile& by, i
     SceneFile scene = sweep.scene(i);
     const SceneFile::Grid asked = scene.grid;
     scene.grid.accuracy = 0.02;
-    scene.grid.accuracy_of = {AccuracyOf::forces};
+    scene.grid.accuracy_of = {ErrorQuantity::forces};
     if (i % every == 0)
       try {
         const ContactGrid chosen = sequence.solve(scene).problem.grid;
