@@ -19,10 +19,8 @@ from setuptools.command.build_py import build_py
 ROOT = Path(__file__).resolve().parents[2]
 VERSION = re.search(r"project\(conformal_contact VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
 
-
 def run(*command):
     subprocess.run([str(part) for part in command], check=True)
-
 
 class BuildWithCMake(build_py):
     def run(self):
@@ -39,17 +37,16 @@ class BuildWithCMake(build_py):
             installed = next(prefix.glob("lib/**/bem_contact/__init__.py")).parent
             for file in (*installed.glob("_core*.so"), installed / "_numbers.pyi"):
                 shutil.copy2(file, package)
+            shutil.copy2(installed / "plotting" / "words.json", package / "plotting")
             # By the names under which they are loaded, libbem_contact_h5.so.MAJOR.MINOR.
             libraries = [min(prefix.glob(f"lib/**/libbem_contact_{name}.so.*"), key=lambda file: len(file.name)) for name in ("h5", "http")]
             for name, file in (*(("lib", library) for library in libraries), ("bin", prefix / "bin" / "bem_contact")):
                 (package / name).mkdir(exist_ok=True)
                 shutil.copy2(file, package / name)
 
-
 class Compiled(Distribution):
     def has_ext_modules(self):
         return True  # the wheel is for this kind of machine and this Python
-
 
 setup(version=VERSION, packages=["bem_contact", "bem_contact.plotting"], package_data={"bem_contact": ["py.typed", "*.pyi"]},
       cmdclass={"build_py": BuildWithCMake}, distclass=Compiled)

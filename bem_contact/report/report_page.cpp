@@ -19,7 +19,8 @@
 // embedded.S; each ends with a NUL.
 extern "C" {
 extern const char report_page_html[], report_page_css[], report_page_js[], report_contact_figures_js[],
-    report_curve_figures_js[], report_words_js[], report_drawing_js[], report_plotting_library_txt[];
+    report_curve_figures_js[], report_words_js[], report_words_json[], report_drawing_js[],
+    report_plotting_library_txt[];
 }
 
 namespace bem_contact::report {
@@ -143,7 +144,9 @@ std::string page_with_figures(const PageParts& parts, std::string data) {
   require_library();
   replace_all(data, "</", "<\\/"); // no text of a scene ends the script that holds it
   replace_all(data, "<!--", "<\\u0021--");
-  std::string page(parts.html), script = report_drawing_js;
+  std::string page(parts.html);
+  std::string script = fmt::format("const SHARED = {};\n", report_words_json); // words of pages and pictures
+  script += report_drawing_js;
   for (const char* part : {report_contact_figures_js, report_curve_figures_js, report_words_js})
     script += part;
   script += parts.script;

@@ -22,22 +22,8 @@ const number = (value, error) => {
 const inDegrees = (text, value, unit) => unit === "rad" && value !== null && value !== undefined
     ? `${text} (${number(Number((value * 180 / Math.PI).toPrecision(3)))}°)` : text;
 
-/// Names of the files as people read them; a name that is not here stands as it is.
-const WORDS = {pmax: "largest pressure", area: "area in contact", Fx: "longitudinal force Fx", Fy: "lateral force Fy", Fz: "vertical force Fz",
-               Fs: "shear force Fs along the profile", Mz: "moment Mz about the vertical", Fn: "normal force", Mn: "moment about the normal",
-               T_gamma: "T-gamma", adhesion_share: "share in adhesion", patch_count: "number of patches", approach: "approach",
-               lateral: "lateral displacement", roll: "roll, right side down", share: "share of the vertical force",
-               Tmax_rail: "hottest place of the rail", Tmax_wheel: "hottest place of the wheel", free_rolling_xi: "creepage of free rolling",
-               free_rolling_radius: "rolling radius of free rolling", semi_axis_a: "first semi-axis", semi_axis_b: "second semi-axis",
-               y: "y of its centre", z: "z of its centre", s: "arc length of its centre", delta: "inclination", xi: "longitudinal creepage xi",
-               eta: "lateral creepage eta", phi: "spin phi", layer_compliance: "compliance of the layer",
-               "position.lateral": "lateral displacement", "position.yaw": "yaw angle", "position.roll": "roll angle", "load.force": "vertical force",
-               "wheelset.force": "vertical force of the axle", "motion.friction": "coefficient of friction", "motion.xi": "longitudinal creepage",
-               "motion.eta": "lateral creepage", "motion.phi": "spin", "track.curve_radius": "radius of the curve",
-               "layer.compliance": "compliance of the layer", "solver.model": "model", "rail.profile": "rail", "wheel.profile": "wheel",
-               damage: "damage of one passage", von_mises: "largest von Mises stress", von_mises_depth: "depth of the largest von Mises stress",
-               tan_gamma: "equivalent conicity tan γ", wheel_depth_per_km: "depth off the wheel by km", rail_depth_per_mgt: "depth off the rail by MGT",
-               rail_depth_per_million_axles: "depth off the rail by a million axles"};
+/// Names of the files as people read them (record/words.json); a name that is not there stands as it is.
+const WORDS = SHARED.words;
 const ofEither = name => name.replace(/^(right|left)_/, ""); // wheel
 const words = name => WORDS[name] ?? (ofEither(name) === name ? name : `${words(ofEither(name))}, ${name.split("_")[0]} wheel`);
 
@@ -61,11 +47,10 @@ const addTable = (caption, head, lines, {parent = page, numbers, id = "", wide =
     fill(add("tr", "", body), "td", cells);
 };
 
-const TITLES = {fem: "Finite-element influence functions", tangent_plane: "Tangent planes", halfspace: "Half-space",
-                hertz: "Hertz", simplified: "Simplified theory", right: "Right wheel", left: "Left wheel"}; // in that order; of wheelsets the last two
-const SHORT = {fem: "FEM", tangent_plane: "tangent plane", halfspace: "half-space", hertz: "Hertz", simplified: "simplified"};
+const TITLES = {...Object.fromEntries(Object.entries(SHARED.models).map(([name, {title}]) => [name, title])),
+                right: "Right wheel", left: "Left wheel"}; // in that order; of wheelsets the last two
 // A model that is not here has its name in scenes, and stands behind the others.
-const titleOf = name => TITLES[name] ?? name, shortOf = name => SHORT[name] ?? name;
+const titleOf = name => TITLES[name] ?? name, shortOf = name => SHARED.models[name]?.short ?? name;
 const namesIn = group => [...new Set([...Object.keys(TITLES), ...Object.keys(group ?? {})])].filter(name => group?.[name]);
 const SETS = {at_equal_forces: "At equal forces", at_equal_position: "At equal position and vertical force"};
 const MAIN = ["Fx", "Fy", "Fz", "Fs", "Mz", "lateral", "approach", "pmax", "area", "adhesion_share", "T_gamma",

@@ -6,6 +6,7 @@ Damaged files are drawn or refused.
 import ast
 import contextlib
 import io
+import json
 import os
 import re
 import runpy
@@ -26,7 +27,6 @@ from bem_contact.plotting import bodies, command, influence, meshes, results, sh
 
 TOOLS = Path(__file__).resolve().parents[2] / "tools"
 PROGRAM = os.environ["BEM_CONTACT"]
-
 
 class Doors(unittest.TestCase):
     """One picture, whoever asks for it."""
@@ -106,7 +106,6 @@ class Doors(unittest.TestCase):
         for words in ((self.file, "--help"), ("S1002", "--kind", "wheel", "--help")):
             self.assertEqual(self.call(PROGRAM, "plot", *words).stdout, whole.stdout)
 
-
 class Stresses(unittest.TestCase):
     def test_equilibrium(self):
         """The divergence is zero inside, by differences."""
@@ -135,7 +134,6 @@ class Stresses(unittest.TestCase):
         np.testing.assert_allclose(xx, -((1 + 2 * z**2) / np.sqrt(1 + z**2) - 2 * z), atol=1e-12)
         np.testing.assert_allclose(xz, 0, atol=1e-12)
 
-
 class Limits(unittest.TestCase):
     def test_without_friction(self):
         """The shear along the surface is p0/4 at most (x = sqrt(3)/2, z = 1/2); the elastic limit is that of Johnson 1985, section 6.1."""
@@ -158,7 +156,6 @@ class Limits(unittest.TestCase):
         self.assertTrue((np.array(elastic) < shaken).all())
         for limits in (elastic, shaken):
             self.assertTrue((np.diff(limits) < 0).all())
-
 
 class Meshes(unittest.TestCase):
     """Sections and influence files: what is drawn is what the file says."""
@@ -229,7 +226,6 @@ class Meshes(unittest.TestCase):
             with self.assertRaisesRegex(bem_contact.InputError, "no whole mesh"):
                 bem_contact.plot(broken)
 
-
 class Numbers(unittest.TestCase):
     def test_digits_follow_the_error(self):
         for value, error, wanted in ((1858.23, 3.2, "1858 ± 3"), (-0.0281, 4.0, "0 ± 4"), (100000, np.nan, "100000"), (1e-9, 1e-11, "0"),
@@ -249,6 +245,15 @@ class Numbers(unittest.TestCase):
         self.assertEqual(style.valued(0.0025, "rad"), "0.0025 rad (0.143°)")
         self.assertEqual(style.valued(60000, "N"), "60000 N")
 
+    def test_pages_say_what_pictures_say(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = Path(folder) / "page.html"
+            subprocess.run([os.environ["BEM_CONTACT"], "profile", "60E1", "--plot", page], check=True, stdout=subprocess.PIPE)
+            shared = json.JSONDecoder().raw_decode(page.read_text().split("const SHARED = ")[1])[0]
+        self.assertEqual(shared["words"], style.WORDS)
+        self.assertEqual({name: (words["title"], words["short"]) for name, words in shared["models"].items()},
+                         {name: found[:2] for name, found in style.MODELS.items()})
+        self.assertEqual(list(style.LINES), list(style.MODELS), "a model without a line of its own")
 
 def tool(name, *arguments, told=None):
     """The exit code of a tool, or of `bem_contact plot`, in this process: a start takes a second. A traceback is an error of the test."""
@@ -259,7 +264,6 @@ def tool(name, *arguments, told=None):
         except SystemExit as end:
             return end.code
     return 0
-
 
 class DamagedFiles(unittest.TestCase):
     SWEEP = """kind = "patch"
@@ -310,7 +314,6 @@ sweep.load.force = [1e3, 2e3]
                     how(opened)
                 self.assertEqual(tool("plot", file, "-o", picture), 2)
                 self.assertFalse(picture.exists())
-
 
 class Results(unittest.TestCase):
     """tools/paraview and bem_contact plot on a result: what they write over, names, and damaged files."""
@@ -403,7 +406,6 @@ class Results(unittest.TestCase):
             file.write_bytes(whole[:length])
             for name, output in both:
                 self.refused("damaged.h5", name, file, "-o", self.folder / output)
-
 
 if __name__ == "__main__":
     unittest.main()

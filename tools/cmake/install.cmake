@@ -87,6 +87,7 @@ if(TARGET bem_contact_python)
     PATTERN __pycache__ EXCLUDE)
   install(TARGETS bem_contact_python LIBRARY DESTINATION ${CONFORMAL_PYTHON_DIR}/bem_contact)
   install(FILES ${CMAKE_BINARY_DIR}/python/bem_contact/_numbers.pyi DESTINATION ${CONFORMAL_PYTHON_DIR}/bem_contact)
+  install(FILES ${PROJECT_SOURCE_DIR}/bem_contact/record/words.json DESTINATION ${CONFORMAL_PYTHON_DIR}/bem_contact/plotting)
 endif()
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/conformal-contact RENAME copyright)

@@ -1,7 +1,9 @@
 """What all pictures share. One colour has one meaning, the same as on the pages of `bem_contact report`; line styles and
 marks say the same without colours. Numbers have names that people read, not those of the files."""
 
+import json
 import math
+from pathlib import Path
 
 import matplotlib
 import numpy as np
@@ -23,7 +25,6 @@ BODIES = {"rail": (RAIL, "-", "o"), "wheel": (WHEEL, "--", "s")}  # colour, line
 FORCES = {"Fx": (ALONG_X, "-", "o"), "Fs": (ALONG_S, "--", "s"), "Fy": (ALONG_S, "--", "s"), "Fz": (INK, ":", "D"),
           "Mz": (INK, "-.", "d")}
 
-
 class Models(dict):
     """Title, short title and line of each model. A model that is not here has its name in scenes."""
 
@@ -34,33 +35,13 @@ class Models(dict):
         """The models that are found, in this order, and others behind."""
         return [*(m for m in self if m in found), *(m for m in found if m not in self)]
 
-
-MODELS = Models({"fem": ("Finite-element influence functions", "FEM", "-"), "tangent_plane": ("Tangent planes", "tangent plane", "--"),
-                 "halfspace": ("Half-space", "half-space", ":"), "hertz": ("Hertz", "Hertz", "-."),
-          "simplified": ("Simplified theory", "simplified", (0, (5, 1, 1, 1)))})
+SHARED = json.loads(Path(__file__).with_name("words.json").read_text())  # with the pages: record/words.json of the source tree
+WORDS = SHARED["words"]  # of the names in the files; a name that is not there stands as it is
+LINES = {"fem": "-", "tangent_plane": "--", "halfspace": ":", "hertz": "-.", "simplified": (0, (5, 1, 1, 1))}
+MODELS = Models({name: (words["title"], words["short"], LINES.get(name, "-")) for name, words in SHARED["models"].items()})
 BELOW_LABEL = 42  # points
 PICTURES = (".png", ".pdf", ".svg")
 ACROSS, UP = "x, rolling direction, mm", "s along the rail, mm"
-WORDS = {  # of the names in the files; a name that is not here stands as it is
-    "pmax": "largest pressure", "area": "area in contact", "Fx": "longitudinal force Fx", "Fy": "lateral force Fy", "Fz": "vertical force Fz",
-    "Fs": "shear force Fs along the profile", "Mz": "moment Mz about the vertical", "lateral": "lateral displacement",
-    "free_rolling_xi": "creepage of free rolling", "free_rolling_radius": "rolling radius of free rolling",
-    "layer_compliance": "compliance of the layer", "layer_normal_compliance": "compliance of the layer under pressure",
-    "layer.compliance": "compliance of the layer", "layer.slope": "slope with the layer over that without",
-    "T_gamma": "T-gamma", "friction_power": "friction power", "adhesion_share": "share in adhesion", "patch_count": "number of patches",
-    "Tmax_rail": "hottest place of the rail", "Tmax_wheel": "hottest place of the wheel",
-    "reference_y": "reference point, y", "reference_z": "reference point, z", "reference_delta": "reference point, inclination",
-    "patch_semi_axis_a": "first semi-axis", "patch_semi_axis_b": "second semi-axis", "patch_y": "patch, y", "patch_z": "patch, z",
-    "patch_delta": "patch, inclination", "patch_rail_y": "patch, y on the rail", "patch_wheel_y": "patch, y on the wheel",
-    "share": "share of the vertical force", "Y_over_Q": "Y/Q, derailment quotient", "radius": "radius at the contact",
-    "delta": "inclination of the rail", "rolling_radius": "rolling radius", "roll_moment": "roll moment", "yaw_moment": "yaw moment",
-    "torque": "torque of the axle", "roll": "roll, right side down", "yaw": "yaw, front to the right",
-    "position.lateral": "lateral displacement", "position.yaw": "yaw angle", "position.rail_inclination": "inclination of the rail",
-    "position.roll": "roll angle", "load.force": "vertical force", "load.force_y": "lateral force", "load.force_x": "longitudinal force",
-    "wheelset.force": "vertical force of the axle", "wheelset.force_y": "lateral force of the axle",
-    "motion.friction": "coefficient of friction", "motion.xi": "longitudinal creepage xi", "motion.eta": "lateral creepage eta",
-    "motion.phi": "spin phi"}
-
 
 def use():
     matplotlib.rcParams.update({
@@ -70,35 +51,29 @@ def use():
         "legend.framealpha": 0.85, "legend.edgecolor": "none", "legend.fontsize": 9, "lines.linewidth": 1.8, "lines.markersize": 5.5,
         "figure.constrained_layout.h_pad": 0.12, "figure.constrained_layout.w_pad": 0.12})
 
-
 def figure(size):
     """An empty one, inches. No window shows it, and pyplot does not know it."""
     made = Figure(size, layout="constrained")
     FigureCanvasAgg(made)
     return made
 
-
 def panels(rows, columns, size, **options):
     """A figure and its panels, always as an array [rows][columns]."""
     made = figure(size)
     return made, made.subplots(rows, columns, squeeze=False, **options)
 
-
 def words(name):
     """ "largest pressure" of "pmax"."""
     return WORDS.get(name, name)
-
 
 def titled(name, unit):
     """ "largest pressure, MPa"; a number without a unit has its name alone. A panel of an angle has degrees_beside(), too."""
     return words(name) if unit in ("", "1") else f"{words(name)}, {unit}".replace("mm2", "mm²").replace("degC", "°C")
 
-
 def valued(value, unit):
     """ "70000 N"; an angle also in degrees: "0.0025 rad (0.14°)"."""
     text = f"{value:.6g}" if unit in ("", "1") else f"{value:.6g} {unit}"
     return f"{text} ({math.degrees(value):.3g}°)" if unit == "rad" else text
-
 
 def degrees_beside(axis, x="", y=""):
     """A second scale above a panel whose x has the unit rad, to the right of one whose y has."""
@@ -108,23 +83,19 @@ def degrees_beside(axis, x="", y=""):
     if y == "rad":
         axis.secondary_yaxis("right", **both).set_ylabel("degrees")
 
-
 def line(style, **more):
     """Options of plot() for a colour, a line and a mark."""
     colour, dash, mark = style
     return {"color": colour, "linestyle": dash, "marker": mark, "markerfacecolor": colour if dash == "-" else "none", **more}
-
 
 def limit(axis, value, name, vertical=False):
     """A line that says what it means: a goal, a floor, a bound."""
     draw = axis.axvline if vertical else axis.axhline
     draw(value, color=BOUND, linestyle=(0, (2, 2)), linewidth=1.5, zorder=1, label=name)
 
-
 def legend(axis, **more):
     if axis.get_legend_handles_labels()[1]:
         axis.legend(**more)
-
 
 def legend_beside(axis, below=False, columns=4, **more):
     """Above the panel or below its label, never on the curves. It may be wider than the panel, but of one column."""
@@ -134,12 +105,10 @@ def legend_beside(axis, below=False, columns=4, **more):
         place = {"loc": "upper center", "bbox_to_anchor": (0.5, 0), "bbox_transform": under}
     axis.legend(ncol=columns, borderaxespad=0.2, columnspacing=1.4, **place, **more).set_in_layout(columns == 1)
 
-
 def drawn(figure):
     """What is written in a picture, but for numbers at ticks: titles, labels, legends, remarks."""
     ticks = {text for axis in figure.axes for one in (axis.xaxis, axis.yaxis) for text in one.get_ticklabels(which="both")}
     return [text.get_text() for text in figure.findobj(Text) if text.get_visible() and text.get_text().strip() and text not in ticks]
-
 
 def save(figure, output):
     """With all legends, which the layout leaves out so that they do not push panels apart. A .png says in its description what is drawn."""
@@ -151,11 +120,9 @@ def save(figure, output):
     metadata = {"Description": "\n".join(drawn(figure))} if str(output).lower().endswith(".png") else None
     figure.savefig(output, dpi=110, bbox_inches="tight", metadata=metadata)
 
-
 def whole_numbers(axis):
     """Of an x or y axis that counts."""
     axis.set_major_locator(MaxNLocator(integer=True))
-
 
 def down(axis):
     """z points down."""
