@@ -106,10 +106,10 @@ endif()
 #   SOURCES    without it: every source of the folder
 #   SOLVERS    sources that compute much themselves. The others are not optimised: they call the rooms,
 #              and compile in half the time.
-# These test programs read bytes and text. The preset sanitize runs all of their tests, so that they need no second run
+# The preset sanitize runs all tests of these programs (no tests/sanitized.hpp), so that they need no second run
 # (CONFORMAL_TESTS_ONCE).
 set(conformal_tests_under_sanitizers test_base test_base_alone test_record test_profile test_influence test_dense_eigen test_scene
-    test_c test_explore test_browser_fft)
+    test_c test_explore test_browser_fft test_reference test_table)
 
 function(conformal_test name)
   if(CONFORMAL_TESTS_ONCE AND name IN_LIST conformal_tests_under_sanitizers)
