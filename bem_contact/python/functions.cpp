@@ -6,6 +6,8 @@
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
+#include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/scene/absolute_names.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/uses/conicity/wheelset_conicity.hpp"
@@ -15,8 +17,10 @@
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -196,6 +200,11 @@ py::dict wheelset(const py::object& scene, const py::object& changes, const py::
 } // namespace
 
 void add_functions(py::module_& module) {
+  module.def("_text_for_any_folder", [](const py::object& scene, const py::object& folder) {
+    return with_absolute_names(scene_of(scene, folder));
+  });
+  module.def("_read_record",
+             [](const std::filesystem::path& file) { return as_dict(record::read_hdf5(file)); });
   module.def(
       "compare", compare, "scene"_a, "models"_a = py::none(), "changes"_a = py::none(), py::kw_only(),
       "folder"_a = py::none(),

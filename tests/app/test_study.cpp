@@ -93,6 +93,34 @@ TEST_F(Study, ComputesOnlyWhatHasChanged) {
   EXPECT_NE(when("solve"), solved);
 }
 
+/// What other machines compute part by part is put together by the same command.
+TEST_F(Study, PartByPart) {
+  const std::string tables = "[conicity]\nto = 3\n[creep_curves]\nxi = \"-1e-3:1e-3:3\"\n[uncertainty]\n"
+                             "friction = 0.03\ndraws = 2\nparts = \"creep_curves\"\n";
+  const std::string line =
+      "study " + write("case.toml", wheel_on_rail + tables).string() + " -o " + path("out");
+  EXPECT_EQ(run(line + " --list").out, "solve\nconicity\ncreep_curves\ndraws/0001\ndraws/0002\n");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+  for (const char* only : {"conicity,creep_curves", "draws/0002", "solve", "draws/0001"}) {
+    const Outcome part = run(line + " --only " + only);
+    EXPECT_EQ(part.code, 0) << part.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / "study.h5"));
+  }
+  const auto draw = folder_ / "out" / "parts" / "draws" / "0002" / "parts" / "creep_curves.h5";
+  const auto before = std::filesystem::last_write_time(draw);
+  const Outcome whole = run(line);
+  ASSERT_EQ(whole.code, 0) << whole.err;
+  for (const char* part : {"solve", "conicity", "creep_curves"})
+    EXPECT_THAT(whole.out, ContainsRegex(std::string(part) + " +done +as it was"));
+  EXPECT_EQ(std::filesystem::last_write_time(draw), before);
+  const std::string file = write("case.toml", wheel_on_rail + tables).string();
+  ASSERT_EQ(run("study " + file + " -o " + path("other")).code, 0);
+  EXPECT_EQ(text_of(folder_ / "out" / "study.csv"), text_of(folder_ / "other" / "study.csv"));
+  const Outcome wrong = run(line + " --only fatigue");
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("It has solve, conicity, creep_curves, draws/0001, draws/0002."));
+}
+
 /// A part that is refused leaves the others alone; the exit code is the worst.
 TEST_F(Study, GoesOnWhereAPartIsRefused) {
   const Outcome done = study("[creep_curves]\nxi = \"1:2\"\n[conicity]\nto = 3\n");

@@ -48,6 +48,22 @@ position.lateral = [-2, -1, 0, 1, 2]
 """
 
 
+STUDY = """rail.profile = "60E1"
+wheel.profile = "S1002"
+load.force = 8e4
+motion = { friction = 0.3, xi = 1e-3 }
+solver.model = "halfspace"
+grid = { dx = 2, ds = 1.5 }
+conicity.to = 3
+creep_curves.xi = "-1e-3:1e-3:3"
+sweep.position.lateral = [0, 1]
+[uncertainty]
+friction = 0.03
+draws = 3
+parts = "creep_curves"
+"""
+
+
 def die():
     os.kill(os.getpid(), signal.SIGKILL)
 
@@ -149,6 +165,39 @@ class Executors(unittest.TestCase):
     def test_a_conicity_is_that_of_one_process(self):
         changes = {"wheel.profile": "S1002", "rail.profile": "60E1", "position.rail_inclination": 0.025}
         self.assert_same(bem_contact.conicity(None, changes, to=3), bem_contact.conicity(None, changes, to=3, executor=self.processes))
+
+    def test_a_study_is_that_of_one_process(self):
+        with tempfile.TemporaryDirectory() as folder:
+            alone, shared = (bem_contact.study(STUDY, Path(folder, name), executor=executor)
+                             for name, executor in (("alone", None), ("shared", self.processes)))
+            self.assertEqual({part["study_status"] for part in alone["parts"].values()}, {"done"})
+            self.assertEqual(set(alone["parts"]), {"sweep", "conicity", "creep_curves"})
+            self.assertIn("creep_curves/slopes: dFx/dxi", map("/".join, zip(alone["headline_parts"], alone["headline_names"])))
+            self.assertEqual(shared["headline_names"], alone["headline_names"])
+            for name, column in alone["headline"].items():
+                np.testing.assert_array_equal(shared["headline"][name], column, err_msg=name)
+            self.assertEqual(np.nanmax(alone["headline"]["draws"]), 3)
+            parts = Path(folder, "shared", "parts")
+            before = {file: file.stat().st_mtime_ns for file in parts.rglob("*.h5")}
+            self.assertEqual(len(before), 6)  # three parts, three draws
+            bem_contact.study(STUDY, Path(folder, "shared"), executor=AtOnce())
+            self.assertEqual({file: file.stat().st_mtime_ns for file in parts.rglob("*.h5")}, before)
+
+    def test_a_study_of_a_wheelset_and_paths_of_a_dict(self):
+        """Parts of one wheel wait for the wheelset; a part that is refused leaves the others alone."""
+        profile = Path(__file__).parents[2] / "data/bodies/hollow_wheel.txt"
+        scene = {"rail.profile": "60E1", "wheel": {"profile": profile.name, "smoothing": 8}, "solver.model": "halfspace",
+                 "grid": {"dx": 2, "ds": 1.5}, "wheelset.force": 1.6e5, "position.lateral": 3, "motion.friction": 0.3,
+                 "fatigue": {"yield_shear": 350}, "conicity": {"to": -3}}
+        with tempfile.TemporaryDirectory() as folder:
+            found = bem_contact.study(scene, folder, folder=profile.parent, executor=self.processes)
+            self.assertEqual({name: part["study_status"] for name, part in found["parts"].items()},
+                             {"wheelset": "done", "fatigue": "done", "conicity": "refused"})
+            self.assertEqual(found["parts"]["fatigue"]["yield_shear"], 350)
+            with self.assertRaisesRegex(bem_contact.InputError, "load.farce"):
+                bem_contact.study("load.farce = 3\n", folder)
+            with self.assertRaisesRegex(bem_contact.InputError, "missing.toml"):
+                bem_contact.study("missing.toml", folder, executor=AtOnce())
 
     def test_work_of_a_worker_that_was_killed_is_not_lost_in_silence(self):
         """The engine says it, and the same call with another finds the same."""

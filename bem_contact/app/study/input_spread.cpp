@@ -28,13 +28,15 @@ void add_noisy_profile(const char* name, const SceneFile::Side& side, ProfileKin
   const std::vector<Point2> points =
       noisy_points(named_profile(side.profile, kind, scene.folder, side.reading), noise, draws);
   const std::filesystem::path file = std::filesystem::absolute(folder / fmt::format("{}.txt", name));
-  wear::write_profile(file, points);
+  if (std::filesystem::is_directory(folder))
+    wear::write_profile(file, points);
   changes.push_back({fmt::format("{}.profile", name), file.string()});
   changes.push_back({fmt::format("{}.profile_z", name), std::string("down")});
   changes.push_back({fmt::format("{}.smoothing", name), smoothing_of(points, side.reading.smoothing)});
 }
 
-/// What a draw changes. Each draw takes the same count of random numbers for the same inputs.
+/// What a draw changes. Each draw takes the same count of random numbers for the same inputs. Drawn profiles
+/// are written where the folder is there.
 std::vector<SceneChange> changes_of_draw(const StudyCase& study, const SceneFile& scene,
                                          const std::filesystem::path& folder, NormalDraws& draws) {
   const Uncertainty& u = study.uncertainty;
@@ -108,29 +110,46 @@ void take_spread(std::vector<HeadlineNumber>& headline, const std::vector<std::v
 
 } // namespace
 
-std::vector<std::string> draw_inputs(const StudyCase& study, const StudyFolder& where,
-                                     std::set<std::string>& said, std::vector<HeadlineNumber>& headline) {
+int draws_of(const StudyCase& study) {
+  return study.uncertainty.asked() ? study.uncertainty.draws : 0;
+}
+
+std::vector<std::vector<PartResult>> solve_draws(const StudyCase& study, const StudyFolder& where,
+                                                 std::set<std::string>& said,
+                                                 const std::function<bool(int draw)>& wanted) {
   const SceneText& text = study.text;
   const SceneFile scene = has_sweep(text) ? parse_sweep_file(text).scene(0) : parse_scene_file(text);
   const std::vector<std::string> parts = drawn_parts(study);
   NormalDraws draws(static_cast<std::uint64_t>(study.uncertainty.seed));
-  std::vector<std::vector<double>> values;
-  int without = 0;
+  std::vector<std::vector<PartResult>> out;
   Progress progress("draws", study.uncertainty.draws);
   for (int k = 1; k <= study.uncertainty.draws; ++k) {
     const std::filesystem::path folder = where.parts() / "draws" / fmt::format("{:04}", k);
     const std::filesystem::path file = folder / "scene.toml";
-    make_study_folder({file, folder});
-    const std::string_view dropped[] = {"uncertainty", "influence"};
-    const std::string drawn = changed_text(text, changes_of_draw(study, scene, folder, draws), dropped);
-    write_whole(file, [&](std::ostream& out) { out << drawn; });
-    const std::vector<PartResult> results = run_parts(
-        study_case(read_scene_text(file)), {file, folder, where.jobs, parts}, said, [](const auto&) {});
-    without += std::ranges::any_of(results, [](const PartResult& r) { return r.code != 0; });
-    values.push_back(values_in(headline, headline_of(results)));
+    if (wanted(k))
+      make_study_folder({file, folder});
+    const std::vector<SceneChange> changes = changes_of_draw(study, scene, folder, draws);
+    if (wanted(k)) {
+      const std::string_view dropped[] = {"uncertainty", "influence"};
+      const std::string drawn = changed_text(text, changes, dropped);
+      write_whole(file, [&](std::ostream& to) { to << drawn; });
+      out.push_back(run_parts(study_case(read_scene_text(file)), {file, folder, where.jobs, parts}, said,
+                              [](const auto&) {}));
+    }
     progress.step();
   }
   progress.finish();
+  return out;
+}
+
+std::vector<std::string> draw_inputs(const StudyCase& study, const StudyFolder& where,
+                                     std::set<std::string>& said, std::vector<HeadlineNumber>& headline) {
+  std::vector<std::vector<double>> values;
+  int without = 0;
+  for (const std::vector<PartResult>& results : solve_draws(study, where, said, [](int) { return true; })) {
+    without += std::ranges::any_of(results, [](const PartResult& r) { return r.code != 0; });
+    values.push_back(values_in(headline, headline_of(results)));
+  }
   take_spread(headline, values);
   if (without == 0)
     return {};

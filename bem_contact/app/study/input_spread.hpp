@@ -2,16 +2,25 @@
 
 #include "bem_contact/app/study/study_record.hpp"
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace bem_contact::app {
 
-/// Draws the inputs of [uncertainty], answers each draw as a study of its own in parts/draws/0001 and so on,
-/// and gives the headline the standard deviation of each number. The draws depend on the seed alone. Returns
-/// warnings: draws that have no certified answer. Throws InputError for parts that the study does not have,
-/// and for a load that the scene does not give.
+/// How many draws of the inputs [uncertainty] asks for; 0: none.
+int draws_of(const StudyCase& study);
+
+/// Draws the inputs of [uncertainty], and answers each draw (from 1) that is wanted as a study of its own in
+/// parts/draws/0001 and so on. The draws depend on the seed alone. Throws InputError for parts that the study
+/// does not have, and for a load that the scene does not give.
+std::vector<std::vector<PartResult>> solve_draws(const StudyCase& study, const StudyFolder& where,
+                                                 std::set<std::string>& said,
+                                                 const std::function<bool(int draw)>& wanted);
+
+/// Answers all draws, and gives the headline the standard deviation of each number. Returns warnings: draws
+/// that have no certified answer. Throws what solve_draws() does.
 std::vector<std::string> draw_inputs(const StudyCase& study, const StudyFolder& where,
                                      std::set<std::string>& said, std::vector<HeadlineNumber>& headline);
 

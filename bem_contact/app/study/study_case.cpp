@@ -1,10 +1,9 @@
 #include "bem_contact/app/study/study_case.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/schema.hpp"
 #include "bem_contact/base/toml.hpp"
-#include "bem_contact/profile/standard_profiles.hpp"
+#include "bem_contact/scene/absolute_names.hpp"
 #include "bem_contact/scene/command_tables.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 
@@ -70,29 +69,6 @@ Schema schema_of(StudyCase& study) {
   return out;
 }
 
-/// A name of a file as it holds from any folder; any other text as it is.
-std::string absolute_name(const std::string& text, const std::filesystem::path& folder) {
-  if (text.empty() || is_standard_profile(text))
-    return text;
-  const std::size_t part = text.rfind('#'); // of a file with several profiles
-  for (const std::size_t end : {text.size(), std::min(part, text.size())})
-    if (is_regular(folder / text.substr(0, end)))
-      return std::filesystem::absolute(folder / text.substr(0, end)).lexically_normal().string() +
-             text.substr(end);
-  return text;
-}
-
-void make_absolute(toml::node& node, const std::filesystem::path& folder) {
-  if (toml::table* table = node.as_table())
-    for (auto&& [name, inner] : *table)
-      make_absolute(inner, folder);
-  else if (toml::array* list = node.as_array())
-    for (toml::node& inner : *list)
-      make_absolute(inner, folder);
-  else if (toml::value<std::string>* text = node.as_string())
-    *text = absolute_name(text->get(), folder);
-}
-
 /// Sets "table.key", whether the table is there or not.
 void set(toml::table& root, const std::string& path, const SchemaValue& value) {
   toml::table* table = &root;
@@ -139,8 +115,7 @@ std::string changed_text(const SceneText& scene, std::span<const SceneChange> ch
     root.erase(table);
   for (const SceneChange& change : changes)
     set(root, change.key, change.value);
-  make_absolute(root, scene.folder);
-  return text_of(root);
+  return with_absolute_names({text_of(root), scene.source, scene.folder});
 }
 
 std::string wheel_text(const SceneText& scene, const record::Record& found) {
@@ -161,8 +136,7 @@ std::string wheel_text(const SceneText& scene, const record::Record& found) {
       root.insert_or_assign(name, std::move(*table));
   if (toml::table* wear = given["wear"].as_table())
     root.insert_or_assign("wear", std::move(*wear));
-  make_absolute(root, scene.folder);
-  return text_of(root);
+  return with_absolute_names({text_of(root), scene.source, scene.folder});
 }
 
 std::vector<TakenValue> taken_values(const SceneText& scene) {

@@ -37,13 +37,33 @@ each table of numbers. Call it again at any time: only what is missing or no lon
 With [wheelset], creep_curves, table, compare and fatigue are of the wheel to which the wheelset is displaced, where the
 equilibrium puts it. More: data/tutorial/study.md.
 
+On many machines: --list prints the parts and draws of a study, --only PART computes one of them. Call study without both at last: it
+finds them in the folder. [influence] comes first, then [wheelset]; all others may run side by side.
+
 Exit code: the worst of the parts. 0: all is certified; 2: a part is refused; 3: a part is not certified.)";
 
 struct StudyArguments {
   std::string scene;
   std::filesystem::path folder;
   int jobs = 0;
+  std::vector<std::string> only;
+  bool list = false;
 };
+
+std::string name_of_draw(int draw) {
+  return fmt::format("draws/{:04}", draw);
+}
+
+/// What a study computes, in the order of its work.
+std::vector<std::string> tasks_of(const StudyCase& study) {
+  std::vector<std::string> out;
+  for (const Part& part : all_parts())
+    if (part.asked(study))
+      out.emplace_back(part.name);
+  for (int draw = 1; draw <= draws_of(study); ++draw)
+    out.push_back(name_of_draw(draw));
+  return out;
+}
 
 std::string taken_text(const SceneText& scene) {
   std::string given, taken;
@@ -93,10 +113,41 @@ bool write_page_of(const std::filesystem::path& file, const std::filesystem::pat
   }
 }
 
+int worst_of(const std::vector<PartResult>& results) {
+  int worst = success;
+  for (const PartResult& result : results)
+    worst = std::max(worst, result.code);
+  return std::min<int>(worst, no_convergence);
+}
+
+/// Some parts and draws, for a study that is put together later.
+ExitCode run_only(const StudyCase& study, StudyFolder where, const std::vector<std::string>& only) {
+  const std::vector<std::string> tasks = tasks_of(study);
+  for (const std::string& name : only)
+    if (std::ranges::count(tasks, name) == 0)
+      throw InputError(fmt::format("--only has '{}'", name), "the study has no such part",
+                       fmt::format("It has {}.", fmt::join(tasks, ", ")));
+  make_study_folder(where);
+  std::set<std::string> said;
+  where.wanted = only; // a draw is no part
+  int worst = worst_of(run_parts(study, where, said, print_part));
+  const auto drawn = [&](int draw) { return std::ranges::count(only, name_of_draw(draw)) > 0; };
+  if (std::ranges::any_of(only, [](const std::string& name) { return name.starts_with("draws/"); }))
+    for (const std::vector<PartResult>& results : solve_draws(study, where, said, drawn))
+      worst = std::max(worst, worst_of(results));
+  return static_cast<ExitCode>(worst);
+}
+
 ExitCode run_study(const StudyArguments& arguments) {
   const StudyCase study = study_case(read_scene_text(arguments.scene));
-  const GivenScene given = given_for_study(study.text);
+  if (arguments.list) {
+    fmt::print("{}\n", fmt::join(tasks_of(study), "\n"));
+    return success;
+  }
   const StudyFolder where{arguments.scene, arguments.folder, arguments.jobs};
+  if (!arguments.only.empty())
+    return run_only(study, where, arguments.only);
+  const GivenScene given = given_for_study(study.text);
   make_study_folder(where);
   const LockFile lock(arguments.folder / ".study", "Wait for it, or give another folder.");
   if (!lock.warning().empty())
@@ -115,10 +166,7 @@ ExitCode run_study(const StudyArguments& arguments) {
   const bool has_page = write_page_of(file, page);
   fmt::print("{}{}: {}study.h5, {}\n", headline_text(headline, drawn), arguments.folder.string(),
              has_page ? "study.html, " : "", fmt::join(tables, ", "));
-  int worst = success;
-  for (const PartResult& result : results)
-    worst = std::max(worst, result.code);
-  return static_cast<ExitCode>(std::min<int>(worst, no_convergence));
+  return static_cast<ExitCode>(worst_of(results));
 }
 
 } // namespace
@@ -130,6 +178,11 @@ Command add_study(CLI::App& program) {
   line->add_option("scene", arguments->scene, "Scene file (TOML) with a table for each answer")->required();
   add_output_option(*line, "-o,--output", arguments->folder, "Folder of the answers")->required();
   add_jobs(*line, arguments->jobs);
+  line->add_flag("--list", arguments->list, "Print the names of its parts and draws; nothing is computed");
+  line->add_option("--only", arguments->only,
+                   "Compute only these of --list; neither study.h5 nor a page is made")
+      ->delimiter(',')
+      ->excludes("--list");
   line->footer(study_help);
   return {line, [arguments] { return run_study(*arguments); }};
 }

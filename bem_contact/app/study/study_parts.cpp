@@ -4,6 +4,7 @@
 #include "bem_contact/app/study/run_line.hpp"
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/file_lock.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/sha256.hpp"
@@ -54,6 +55,8 @@ public:
   }
 
   PartResult run(std::set<std::string>& said) {
+    const LockFile lock(where_.parts() / fmt::format(".{}", part_.name),
+                        "Wait for it, or give another folder.");
     PartResult out{.part = &part_, .file = file_of_result()};
     find_digests();
     const nlohmann::json before = state();

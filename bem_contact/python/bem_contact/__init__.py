@@ -17,9 +17,9 @@ Each command of the program has a function here, or is called as a command:
     profile       profile(), standards()                  wear          wear()
     sweep         sweep()                                 fatigue       fatigue(), of a Result
     conicity      conicity()                              report        report()
-    plot          plot()
+    plot          plot()                                  study         study()
 
-    info, influence, new, from-contact, study, explore, options such as --csv    python3 -m bem_contact info FILE.h5, from a shell
+    info, influence, new, from-contact, explore, options such as --csv    python3 -m bem_contact info FILE.h5, from a shell
 
 A profile of your own may be arrays: Profile(y, z, kind) goes wherever a profile file goes.
 
@@ -31,6 +31,7 @@ Classes: Result, Sequence, Table, Sweep, Profile, Error, InputError, Convergence
 from .cases import Sweep
 from .plotting import plot
 from .profiles import Profile
+from .studies import study
 
 try:
     from ._core import ConvergenceError, Error, InputError, Result, Sequence, Table, __commit__, __version__, check, compare, conicity, creep_curves, fatigue, profile, read_table, report, solve, standards, sweep, table, wear, wheelset

@@ -263,6 +263,16 @@ def fatigue(
 ) -> dict[str, Any]:
     """The same of each case of a table [sweep], as arrays over the patches of all cases, and the damage of the collective."""
 
+def study(
+    scene: _Scene,
+    output: str | PathLike[str],
+    *,
+    jobs: int = 0,
+    folder: str | PathLike[str] | None = None,
+    executor: Executor | None = None,
+) -> dict[str, Any]:
+    """All answers that a scene asks for, in a folder, as `bem_contact study`: what study.h5 holds. Parts may be shared by an executor."""
+
 def plot(
     file: str | PathLike[str],
     picture: str | PathLike[str] | None = None,

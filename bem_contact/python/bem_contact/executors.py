@@ -12,12 +12,17 @@ def part(kind, *arguments):
     return getattr(import_module("bem_contact._core"), f"_{kind}_part")(*arguments)
 
 
-def run_on(executor, kind, tasks):
-    """The results of all tasks, in their order. Where one raises an error, those that have not begun are given up."""
-    futures = [executor.submit(part, kind, *task) for task in tasks]
+def results_of(executor, function, tasks):
+    """What the function gives for the arguments of each task, in their order. Where one raises, those that have not begun are given up."""
+    futures = [executor.submit(function, *task) for task in tasks]
     try:
         return [future.result() for future in futures]
     except BaseException:
         for future in futures:
             future.cancel()
         raise
+
+
+def run_on(executor, kind, tasks):
+    """The results of all tasks of a kind."""
+    return results_of(executor, part, [(kind, *task) for task in tasks])

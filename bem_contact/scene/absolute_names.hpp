@@ -1,0 +1,13 @@
+#pragma once
+
+#include "bem_contact/scene/scene_text.hpp"
+
+#include <string>
+
+namespace bem_contact {
+
+/// The text of a scene with names of files that hold from any folder. A text that names no file stays, as
+/// does a text that is no TOML: whoever reads it says what is wrong. Comments go.
+std::string with_absolute_names(const SceneText& scene);
+
+} // namespace bem_contact
