@@ -10,7 +10,6 @@
 #include "bem_contact/scene/absolute_names.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/sequence.hpp"
-#include "bem_contact/uses/conicity/wheelset_conicity.hpp"
 #include "bem_contact/uses/curves/creep_record.hpp"
 #include "bem_contact/uses/sweep/sweep_case.hpp"
 #include "bem_contact/uses/wheelset/quantities.hpp"
@@ -76,52 +75,10 @@ py::dict compare(const py::object& scene, const py::object& models, const py::ob
   return out;
 }
 
-/// The name of a profile, or a path (as that of a Profile).
-std::string profile_named(const py::object& given, const char* what) {
-  return py::hasattr(given, "__fspath__") ? path_of(given) : text_of(given, what);
-}
-
-/// `scene`: its text for another process (tuple_of()), or None.
-py::dict conicity_of(const py::object& scene, const py::object& changes, const py::object& left_wheel,
-                     const py::object& left_rail, bool roll, double to, double step) {
-  const std::vector<SceneChange> list = changes_of(changes);
-  const SceneFile file =
-      scene.is_none() ? scene_without_file(list) : parse_scene_file(scene_text_of(scene), list);
-  WheelsetOnTrack wheelset = wheelset_of(file, {.rail = profile_named(left_rail, "left_rail"),
-                                                .wheel = profile_named(left_wheel, "left_wheel")});
-  wheelset.rolls = roll;
-  const WheelsetConicity found = stoppable([=](const std::atomic<bool>* stop) {
-    return wheelset_conicity(wheelset, {.largest = to, .step = step}, stop);
-  });
-  return as_dict(record_of(found, wheelset));
-}
-
-py::dict conicity(const py::object& scene, const py::object& changes, const py::object& left_wheel,
-                  const py::object& left_rail, bool roll, double to, double step, const py::object& folder,
-                  const py::object& executor) {
-  const py::object text = scene.is_none() ? scene : tuple_of(scene_of(scene, folder));
-  if (executor.is_none())
-    return conicity_of(text, changes, left_wheel, left_rail, roll, to, step);
-  py::list tasks; // one: it is done sooner than a process is started
-  tasks.append(py::make_tuple(text, changes, left_wheel, left_rail, roll, to, step));
-  return run_on(executor, "conicity", tasks)[0];
-}
-
-/// Numbers in a list or an array of one dimension; None: no curve.
+/// None: no curve.
 void add_range(std::vector<CreepRange>& ranges, CreepKind kind, const py::object& values) {
-  if (values.is_none())
-    return;
-  const std::string key(name_of(kind));
-  py::dict one;
-  one[py::str(key)] = values;
-  const std::vector<SceneChange> given = changes_of(one);
-  const bool one_value = given.size() == 1 && given.front().key == key; // not if `values` is a dict
-  const auto* numbers = one_value ? std::get_if<std::vector<double>>(&given.front().value) : nullptr;
-  if (numbers && !numbers->empty())
-    ranges.push_back({kind, *numbers});
-  else
-    refuse_type("The values of " + key + " cannot be used", "they are no list of numbers",
-                "Give a list or an array, as [0, 1e-3, 2e-3].");
+  if (!values.is_none())
+    ranges.push_back({kind, numbers_in(values, name_of(kind))});
 }
 
 /// HeldContact
@@ -215,20 +172,6 @@ void add_functions(py::module_& module) {
       "None. `scene`, `changes`: as solve() takes them. Look at equal forces first: at equal position a "
       "hundredth of a millimetre makes "
       "most of the difference.");
-  module.def("conicity", conicity, "scene"_a = py::none(), "changes"_a = py::none(), py::kw_only(),
-             "left_wheel"_a = "", "left_rail"_a = "", "roll"_a = false, "to"_a = 10.0, "step"_a = 1.0,
-             "folder"_a = py::none(), "executor"_a = py::none(),
-             "Rolling radius difference and equivalent conicity (EN 15302) of a rigid wheelset. Profiles and "
-             "track come from a scene, from `changes`, as {\"wheel.profile\": \"S1002\", \"rail.profile\": "
-             "\"60E1\", \"position.rail_inclination\": 0.025}, or from both; paths start at the scene's "
-             "folder, without a "
-             "scene at the working directory. A left side that differs has names of its own. `roll`: the "
-             "wheelset rolls until both wheels stand. Amplitudes: step, 2 step, .. `to`, mm. A dict: "
-             "\"function\" over the lateral displacement, \"conicity\" over the amplitude, mm and rad. "
-             "`executor`: any "
-             "of concurrent.futures does it elsewhere, as one task, because it takes a tenth of a second.");
-  module.def("_conicity_part", conicity_of, "scene"_a, "changes"_a, "left_wheel"_a, "left_rail"_a, "roll"_a,
-             "to"_a, "step"_a);
   module.def(
       "creep_curves", curves, "scene"_a, "changes"_a = py::none(), "model"_a = py::none(), py::kw_only(),
       "xi"_a = py::none(), "eta"_a = py::none(), "phi"_a = py::none(), "folder"_a = py::none(),

@@ -9,7 +9,9 @@ namespace bem_contact {
 void add_check_and_sweep(pybind11::module_& module);
 /// `profile`: a profile file.
 void add_profile(pybind11::module_& module);
-/// compare, conicity, creep_curves, wheelset.
+/// `conicity` of a wheelset, and of many (a map).
+void add_conicity(pybind11::module_& module);
+/// compare, creep_curves, wheelset.
 void add_functions(pybind11::module_& module);
 /// `table`, and tables to look up in.
 void add_table(pybind11::module_& module);

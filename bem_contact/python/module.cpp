@@ -354,6 +354,7 @@ PYBIND11_MODULE(_core, m) {
       .def(py::init(&sequence_of), "scene"_a = py::none(), "folder"_a = py::none(), "threads"_a = 1)
       .def("solve", &solve_changed, "changes"_a = py::none(), "model"_a = py::none(), "strict"_a = false,
            of_arguments.c_str());
+  add_conicity(m);
   add_functions(m);
   add_check_and_sweep(m);
   add_profile(m);

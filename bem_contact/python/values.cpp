@@ -250,6 +250,19 @@ std::string model_of(const py::object& model) {
   return text_of(model, "model");
 }
 
+std::vector<double> numbers_in(const py::object& values, std::string_view what) {
+  const std::string key(what);
+  py::dict one;
+  one[py::str(key)] = values;
+  const std::vector<SceneChange> given = changes_of(one);
+  const bool one_value = given.size() == 1 && given.front().key == key; // not if `values` is a dict
+  const auto* numbers = one_value ? std::get_if<std::vector<double>>(&given.front().value) : nullptr;
+  if (!numbers || numbers->empty())
+    refuse_type(fmt::format("The values of {} cannot be used", key), "they are no list of numbers",
+                "Give a list or an array, as [0, 1e-3, 2e-3].");
+  return *numbers;
+}
+
 py::array_t<double> array_of(const std::vector<double>& values) {
   return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }

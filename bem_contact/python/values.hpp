@@ -8,6 +8,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// What Python hands over, in the words of a scene. Anything may come, so that messages are ours; TypeError
@@ -36,6 +37,8 @@ std::string path_of(const pybind11::object& path);
 std::string all_models();
 /// None and "": the scene's own.
 std::string model_of(const pybind11::object& model);
+/// Numbers of a list or an array of one dimension, one at least. Throws TypeError. `what` they are, in words.
+std::vector<double> numbers_in(const pybind11::object& values, std::string_view what);
 /// A copy, as an array of one dimension.
 pybind11::array_t<double> array_of(const std::vector<double>& values);
 /// Throws TypeError.

@@ -71,6 +71,7 @@ class Numbers(unittest.TestCase):
 
     def test_all_other_functions(self):
         self.alike(lambda **n: bem_contact.conicity(changes=PAIR, **n), to=4, step=2)
+        self.alike(lambda **n: bem_contact.conicity_map(changes=PAIR, gauges=[1435], draws=2, **n), amplitude=2, noise=0)
         self.alike(lambda step: bem_contact.profile("60E1", step=step), step=1)
         of_types = [bem_contact.table(tolerance=kind(0.25), poisson=kind(0.25), elements=10)["values"]
                     for kind in (float, np.float16, np.float32)]

@@ -165,6 +165,8 @@ class Executors(unittest.TestCase):
     def test_a_conicity_is_that_of_one_process(self):
         changes = {"wheel.profile": "S1002", "rail.profile": "60E1", "position.rail_inclination": 0.025}
         self.assert_same(bem_contact.conicity(None, changes, to=3), bem_contact.conicity(None, changes, to=3, executor=self.processes))
+        many = {"wheels": ["S1002", "LMA"], "gauges": [1434, 1435], "noise": 0.01, "draws": 2}
+        self.assert_same(bem_contact.conicity_map(None, changes, **many), bem_contact.conicity_map(None, changes, **many, executor=self.processes))
 
     def test_a_study_is_that_of_one_process(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -142,6 +142,26 @@ def conicity(
     "function": over the lateral displacement (mm); "conicity": over the amplitude (mm), nan where there is no motion.
     """
 
+def conicity_map(
+    scene: _Scene | None = None,
+    changes: _Changes = None,
+    *,
+    wheels: _List[str | PathLike[str]] | None = None,
+    rails: _List[str | PathLike[str]] | None = None,
+    gauges: _List[float] | NDArray[Any] | None = None,
+    amplitude: float = 3.0,
+    noise: float | None = None,
+    draws: int = 20,
+    seed: int = 1,
+    roll: bool = False,
+    folder: str | PathLike[str] | None = None,
+    executor: Executor | None = None,
+) -> dict[str, Any]:
+    """Equivalent conicities of every wheel on every rail at every gauge (mm): "wheels", "rails", and "map" (arrays).
+
+    With `noise` (mm) the points of the profiles scatter: mean and standard deviation over `draws` from `seed`.
+    """
+
 def creep_curves(
     scene: _Scene,
     changes: _Changes = None,

@@ -109,6 +109,22 @@ private:
   const std::atomic<bool>* stop_;
 };
 
+/// Where the amplitude is refused for one wheelset it is for all, and so the map is.
+void require_sound(const ConicityMapRange& range) {
+  if (!(range.amplitude >= 0.1 && range.amplitude <= 45))
+    throw InputError(fmt::format("A map has no amplitude of {:g} mm", range.amplitude),
+                     "it must be 0.1 to 45 mm", "Give it in mm, for instance 3.");
+  if (!range.scatter)
+    return;
+  const auto& [noise, draws, seed] = *range.scatter;
+  if (!(noise >= 0 && noise <= 1))
+    throw InputError(fmt::format("The points of profiles do not scatter by {:g} mm", noise),
+                     "the standard deviation must be 0 to 1 mm", "Give it in mm, for instance 0.01.");
+  if (draws < 2 || draws > 10000 || seed < 0)
+    throw InputError(fmt::format("Noise is not drawn {} times from the seed {}", draws, seed),
+                     "2 to 10000 draws are served, and a seed is 0 or more", "Give for instance 20 and 1.");
+}
+
 std::string which_of(const std::vector<std::string>& names) {
   return fmt::format("which of {}", fmt::join(names, " "));
 }
@@ -118,6 +134,7 @@ std::string which_of(const std::vector<std::string>& names) {
 ConicityMap conicity_map(const ConicityMapRange& range,
                          const std::function<SceneFile(const std::string&, const std::string&)>& scene_of,
                          const std::function<void()>& done, const std::atomic<bool>* stop) {
+  require_sound(range);
   ConicityMap out{.wheels = range.wheels,
                   .rails = range.rails,
                   .amplitude = range.amplitude,

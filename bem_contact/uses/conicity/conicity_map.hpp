@@ -53,8 +53,8 @@ struct ConicityMap {
 /// The map. `scene_of` returns the scene of a wheel and a rail, both names as in the range; its track counts.
 /// Each draw scatters the points of both profiles, and reads them with the smoothing of the scene or the one
 /// that their noise asks for; both sides have the same profiles. An entry has the same draws whatever else is
-/// in the map. Warns where a wheel finds no touch point. Throws InputError for an amplitude that
-/// wheelset_conicity() refuses, and for profiles that cannot be read; Stopped soon after another thread sets
+/// in the map. Warns where a wheel finds no touch point. Throws InputError for an amplitude or
+/// a scatter that is none, and for profiles that cannot be read; Stopped soon after another thread sets
 /// `stop`. `done` is called after each entry.
 ConicityMap conicity_map(const ConicityMapRange& range,
                          const std::function<SceneFile(const std::string&, const std::string&)>& scene_of,

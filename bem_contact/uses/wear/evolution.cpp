@@ -119,9 +119,9 @@ std::vector<CaseWear> wear_of_cases(const WornPair& now, std::span<const Collect
   std::vector<CaseWear> out;
   for (const CollectiveCase& one : cases) {
     SceneFile scene = one.scene;
-    const bool files = needs_influence(scene);
-    use_profile(scene.rail, folder / "rail.txt", files ? influence.rail.file : "");
-    use_profile(scene.wheel, folder / "wheel.txt", files ? influence.wheel.file : "");
+    const bool by_files = needs_influence(scene);
+    use_profile(scene.rail, folder / "rail.txt", by_files ? influence.rail.file : "");
+    use_profile(scene.wheel, folder / "wheel.txt", by_files ? influence.wheel.file : "");
     const SceneResult result = sequence.solve(scene, options.stop);
     if (!result.result.certified())
       throw ConvergenceError("A case of the load collective has no certified result",
