@@ -21,7 +21,8 @@ if(CONFORMAL_TUNABLE)
 endif()
 if(CONFORMAL_SANITIZE)
   target_compile_options(conformal_options INTERFACE -fsanitize=${CONFORMAL_SANITIZERS}
-                         -fno-sanitize-recover=all -fno-omit-frame-pointer)
+                         -fno-sanitize-recover=all -fno-omit-frame-pointer
+                         -Wno-maybe-uninitialized) # the compiler warns of its own checks of std::optional
   if(CONFORMAL_SANITIZERS MATCHES "address")
     # What the address sanitizer finds as well (null, object-size), or x86 and a code without casts do not need
     # (alignment, vptr): half of the time to compile.
