@@ -16,4 +16,9 @@ struct Measured {
   constexpr operator double() const { return value; }
 };
 
+/// How fmt writes it, from its version 10 on: as the number.
+constexpr double format_as(const Measured& number) {
+  return number.value;
+}
+
 } // namespace bem_contact

@@ -35,7 +35,9 @@ class Models(dict):
         """The models that are found, in this order, and others behind."""
         return [*(m for m in self if m in found), *(m for m in found if m not in self)]
 
-SHARED = json.loads(Path(__file__).with_name("words.json").read_text())  # with the pages: record/words.json of the source tree
+# With the pages: they lie beside an installed package, and in the room record of the source tree.
+SHARED = json.loads(next(folder / "words.json" for folder in (Path(__file__).parent, Path(__file__).parents[3] / "record")
+                         if (folder / "words.json").exists()).read_text())
 WORDS = SHARED["words"]  # of the names in the files; a name that is not there stands as it is
 LINES = {"fem": "-", "tangent_plane": "--", "halfspace": ":", "hertz": "-.", "simplified": (0, (5, 1, 1, 1))}
 MODELS = Models({name: (words["title"], words["short"], LINES.get(name, "-")) for name, words in SHARED["models"].items()})
