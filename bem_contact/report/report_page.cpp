@@ -145,9 +145,9 @@ std::string page_with_figures(const PageParts& parts, std::string data) {
   replace_all(data, "</", "<\\/"); // no text of a scene ends the script that holds it
   replace_all(data, "<!--", "<\\u0021--");
   std::string page(parts.html);
-  std::string script = fmt::format("const SHARED = {};\n", report_words_json); // words of pages and pictures
-  script += report_drawing_js;
-  for (const char* part : {report_contact_figures_js, report_curve_figures_js, report_words_js})
+  std::string script = "const SHARED = "; // words, which pictures have too
+  for (const char* part : {report_words_json, ";\n", report_drawing_js, report_contact_figures_js,
+                           report_curve_figures_js, report_words_js})
     script += part;
   script += parts.script;
   const std::array<std::pair<std::string_view, std::string_view>, 4> places{
