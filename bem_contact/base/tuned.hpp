@@ -16,6 +16,9 @@
 ///     CONFORMAL_TUNED="contact/settings.hpp:flat_distance=1e-5" bem_contact solve ...
 ///
 /// tools/benchmarks/sensitivity uses that to halve and double each of them.
+///
+/// Where numbers must keep a relation, BEM_CONTACT_RELATION(finest <= coarsest) beside them says so: a normal
+/// build in which it does not hold does not compile.
 #ifdef CONFORMAL_TUNABLE
 
 namespace bem_contact {
@@ -30,9 +33,11 @@ double tuned(const char* file, const char* name, double value);
 
 #define BEM_CONTACT_TUNED(Type, name, value)                                                                 \
   inline const Type name = static_cast<Type>(::bem_contact::tuned(__FILE__, #name, value))
+#define BEM_CONTACT_RELATION(holds) static_assert(true)
 
 #else
 
 #define BEM_CONTACT_TUNED(Type, name, value) inline constexpr Type name = value
+#define BEM_CONTACT_RELATION(holds) static_assert(holds)
 
 #endif

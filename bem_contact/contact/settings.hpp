@@ -35,6 +35,7 @@ BEM_CONTACT_TUNED(double, many_plane_terms, 2e7);
 /// some per cent at best.
 BEM_CONTACT_TUNED(double, companion_tolerance, 1e-5);
 BEM_CONTACT_TUNED(double, companion_violation, 1e-4);
+BEM_CONTACT_RELATION(companion_tolerance <= companion_violation);
 /// Elements of the companion in contact, at least; in a single row or column. Fewer say nothing: on Hertz
 /// contacts with 12 elements across (28 in the companion) the two agree by chance.
 BEM_CONTACT_TUNED(int, least_companion, 40);

@@ -21,6 +21,7 @@ BEM_CONTACT_TUNED(double, foundation_depth, 10.0);
 /// mm. Where the search for an approach starts to double, and where it gives up.
 BEM_CONTACT_TUNED(double, first_approach, 1e-4);
 BEM_CONTACT_TUNED(double, last_approach, 10.0); ///< mm. As above: ten times the largest one allowed.
+BEM_CONTACT_RELATION(first_approach < largest_approach && largest_approach < last_approach);
 /// 1 (share of the force). The search ends here, far below what such an estimate is off by.
 BEM_CONTACT_TUNED(double, approach_tolerance, 1e-10);
 BEM_CONTACT_TUNED(int, approach_steps, 60); ///< 1. Bound of the steps of that search.

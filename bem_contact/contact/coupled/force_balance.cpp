@@ -25,7 +25,7 @@ double ForceBalance::next(double pressed, double borne) {
   (borne < force_ ? low_ : high_) = pressed;
   if (last_ == 0)
     slope_ = std::max(borne / pressed, least_slope_);
-  else if (std::abs(pressed - last_) > least_secant_step * noise_of_sums * pressed)
+  else if (std::abs(pressed - last_) > least_secant_step * loose_tolerance * pressed)
     slope_ = (borne - last_borne_) / (pressed - last_);
   double wanted = pressed + (force_ - borne) / slope_; // infinite or worse where the secant is flat
   last_ = pressed;
@@ -35,7 +35,8 @@ double ForceBalance::next(double pressed, double borne) {
       wanted = largest_force_step * pressed;
     wanted = std::min(wanted, largest_force_ratio * force_);
   } else if (const auto [from, to] = std::minmax(low_, high_);
-             to - from < noise_of_sums * pressed && std::abs(wanted - pressed) < noise_of_sums * pressed) {
+             to - from < loose_tolerance * pressed &&
+             std::abs(wanted - pressed) < loose_tolerance * pressed) {
     low_ = high_ = 0; // the bracket is noise: the sums were not precise
     (borne < force_ ? low_ : high_) = pressed;
   } else {

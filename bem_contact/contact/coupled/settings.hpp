@@ -29,9 +29,8 @@ BEM_CONTACT_TUNED(double, largest_start_share, 4);
 /// nearly as much against the load as pressure bears of it, part of the contact sticks, and shear does not
 /// grow in proportion: on a flange at 19 times the load this is 0.43, where a proportion would say 0.05.
 BEM_CONTACT_TUNED(double, least_start_slope, 0.4);
-/// 1. Relative error of the sums of forces of loosely solved problems: loose_tolerance.
-BEM_CONTACT_TUNED(double, noise_of_sums, 1e-3);
-/// 1. Two pressure forces give a secant if they differ by more than this share of that noise. Chosen.
+/// 1. Two pressure forces give a secant if they differ by more than this share of the noise of sums of
+/// forces, which loosely solved problems have: loose_tolerance. Chosen.
 BEM_CONTACT_TUNED(double, least_secant_step, 0.1);
 /// Former iterations that Anderson acceleration uses. Chosen.
 BEM_CONTACT_TUNED(int, anderson_memory, 5);

@@ -19,6 +19,7 @@ BEM_CONTACT_TUNED(int, normal_margin_divisor, 60);
 BEM_CONTACT_TUNED(double, normal_precision, 1e-2);
 BEM_CONTACT_TUNED(double, finest_normal_precision, 1e-13);
 BEM_CONTACT_TUNED(double, coarsest_normal_precision, 1e-6);
+BEM_CONTACT_RELATION(finest_normal_precision <= coarsest_normal_precision);
 /// 1. Precision of the first linear system from nothing, and from a guess. Chosen: the sets still change.
 BEM_CONTACT_TUNED(double, cold_normal_precision, 1e-3);
 BEM_CONTACT_TUNED(double, warm_normal_precision, 1e-4);
@@ -34,6 +35,7 @@ BEM_CONTACT_TUNED(double, least_cosine, 1e-6);
 BEM_CONTACT_TUNED(double, cg_single_run, 1e-4);
 /// 1. Fixed step of MPRGP times the norm; it must be below 2 (Dostal, Schoeberl 2005, give 1.9 and more).
 BEM_CONTACT_TUNED(double, mprgp_step, 1.9);
+BEM_CONTACT_RELATION(mprgp_step < 2);
 /// 1. Precision of MPRGP relative to the tolerance asked for, and its limit by rounding. Chosen.
 BEM_CONTACT_TUNED(double, mprgp_precision, 1e-3);
 BEM_CONTACT_TUNED(double, finest_mprgp_precision, 1e-12);

@@ -48,9 +48,7 @@ BEM_CONTACT_TUNED(double, newton_forcing, 0.3);
 BEM_CONTACT_TUNED(double, known_forcing, 10);
 BEM_CONTACT_TUNED(double, finest_newton_forcing, 1e-4);
 BEM_CONTACT_TUNED(double, coarsest_newton_forcing, 0.1);
-
-// Sensitivities.
-
+BEM_CONTACT_RELATION(finest_newton_forcing <= coarsest_newton_forcing);
 /// 1. A linear system need not reach more than this share of the tolerance asked for. Chosen.
 BEM_CONTACT_TUNED(double, newton_end_forcing, 0.2);
 /// Lengths that the line search tries, and by how much the residual has to decrease (Armijo's condition).

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "bem_contact/base/tuned.hpp"
+#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/scene/settings.hpp"
 
 /// Tuned numbers of sequence/plan. For the words see base/tuned.hpp.
 namespace bem_contact {
@@ -8,9 +10,11 @@ namespace bem_contact {
 // Estimate of the contact.
 
 /// 1 (share of the approach). Where the undeformed distance is below this share the bodies may touch: the
-/// estimate's own contact needs 0.55, and the rest is for what the estimate is off by. A contact that reaches
-/// the edge is solved again on a larger grid, and so is one whose approach lets the bodies meet elsewhere.
+/// estimate's own contact needs penetration_share, and the rest is for what the estimate is off by. A contact
+/// that reaches the edge is solved again on a larger grid, and so is one whose approach lets the bodies meet
+/// elsewhere.
 BEM_CONTACT_TUNED(double, potential_share, 0.75);
+BEM_CONTACT_RELATION(potential_share > penetration_share);
 /// 1. Creepage at which about half of a contact slips. It says which part of full friction bears load in the
 /// estimate.
 BEM_CONTACT_TUNED(double, half_slip_creepage, 0.002);
@@ -28,9 +32,9 @@ BEM_CONTACT_TUNED(int, fewest_rows, 3);
 
 // Number of elements.
 
-/// 1. Fewest elements in contact: the error is estimated by a companion with a quarter of them, which
-/// needs 40.
+/// 1. Fewest elements in contact: the error is estimated by a companion with a quarter of them.
 BEM_CONTACT_TUNED(int, fewest_elements, 180);
+BEM_CONTACT_RELATION(fewest_elements >= 4 * contact::least_companion);
 /// 1. Elements in contact that are tried first; the median contact has an error of usual_error with them.
 BEM_CONTACT_TUNED(int, usual_elements, 200);
 BEM_CONTACT_TUNED(double, rare_factor, 7.0); ///< 1. It needs so many times the median contact's elements.
@@ -58,6 +62,7 @@ BEM_CONTACT_TUNED(int, sizes_per_octave, 4);
 /// alike()) this ratio is raised to at least this.
 BEM_CONTACT_TUNED(double, least_area_ratio, 0.7);
 BEM_CONTACT_TUNED(double, most_area_ratio, 1.4); ///< 1. There it is lowered to at most this.
+BEM_CONTACT_RELATION(least_area_ratio <= most_area_ratio);
 
 // Choice of the model: what is predicted that a model misses.
 

@@ -23,6 +23,7 @@ BEM_CONTACT_TUNED(double, near_distance, 0.02);
 BEM_CONTACT_TUNED(int, cropped_margin, 2);
 /// Elements. The same where the potential contact moved by less than an element, as in steps of a vehicle.
 BEM_CONTACT_TUNED(int, cropped_margin_of_steps, 1);
+BEM_CONTACT_RELATION(cropped_margin_of_steps <= cropped_margin);
 
 // Start from the case before.
 
