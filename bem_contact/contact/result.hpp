@@ -89,6 +89,20 @@ struct ContactTotals {
   Measured Tmax_rail{unknown_error}, Tmax_wheel{unknown_error};
 };
 
+/// What a stated error is the weighted sum of, in the unit of the number. The weights are those of
+/// contact::ErrorShares, whose members have the same names (check/error_shares.hpp).
+struct ErrorParts {
+  double change = 0, local = 0, peak = 0, adhesion = 0; ///< as there
+  double fixed = 0;                                     ///< what no share weighs
+};
+
+/// The parts of the errors of ContactTotals: tools/benchmarks/estimates fits the shares to them.
+struct PartsOfTotals {
+  ErrorParts Fx, Fs, Fy, approach, pmax, area, adhesion_share, T_gamma, creepage_x, creepage_s, Tmax_rail,
+      Tmax_wheel;
+  ErrorParts moment; ///< Discretisation::moment_error(); `change` is by 1 N mm of the moment's change
+};
+
 /// Estimate of the error that the size of the elements causes, from the same problem on elements twice as
 /// large in x and s (the companion; same load). There is no estimate where the contact touches the border of
 /// the grid, without contact, for a transient rolling step, where the companion has fewer than 40 elements in
@@ -119,6 +133,7 @@ struct Discretisation {
   bool rough = false;
   double moment_change = unknown_error; ///< share of a change of the moment that counts in moment_error(), 1
   double local_moment = unknown_error;  ///< the local part of moment_error() (error_estimates.hpp), N mm
+  PartsOfTotals parts;                  ///< of the stated errors; all 0 where there are none
 
   /// Absolute error of the moment about the vertical axis through x and y (mm, frame of the rows), N mm.
   /// `totals`: those of the result that this estimate is of.

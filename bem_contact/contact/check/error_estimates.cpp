@@ -55,71 +55,76 @@ bool converges(const Region& fine, const Region& coarse, double roughness) {
          fine.curvature <= largest_curvature * fine.pmax && !is_rough(fine, roughness);
 }
 
+/// The error of these parts.
+double weighed(const ErrorShares& share, const ErrorParts& parts) {
+  return share.change * parts.change + share.local * parts.local + share.peak * parts.peak +
+         share.adhesion * parts.adhesion + parts.fixed;
+}
+double weighed(const GridShares& shares, const Region& r, const ErrorParts& parts) {
+  return weighed(shares.of(r.line), parts);
+}
+
 /// `roughness`: as converges() takes it, MPa.
-double pmax_error(const Region& r, const Region& coarse, double roughness) {
-  const ErrorShares& share = shares::pmax.of(r.line);
-  return share.change * std::abs(r.pmax - coarse.pmax) + share.peak * r.curvature + pmax_rough * roughness;
+ErrorParts pmax_parts(const Region& r, const Region& coarse, double roughness) {
+  return {.change = std::abs(r.pmax - coarse.pmax), .peak = r.curvature, .fixed = pmax_rough * roughness};
 }
 
-double area_error(const Region& r) {
-  return shares::area.of(r.line).local * r.area * r.border / r.contact;
+ErrorParts area_parts(const Region& r) {
+  return {.local = r.area * r.border / r.contact};
 }
 
-/// The local part of the error of a sum of shear tractions. It is there even if larger elements give the same
-/// sum, because the two may agree by chance.
-double local_error(const UncertainSum& sum, const Region& r, const GridShares& shares) {
-  const ErrorShares& share = shares.of(r.line);
-  return share.local * std::min(sum.size, shear_deviation * sum.deviation) / r.contact +
-         share.adhesion * std::sqrt(sum.adhering);
-}
-
-/// By how much larger errors of such sums are on elements longer than wide.
+/// By how much larger errors of sums of shear are on elements longer than wide.
 double growth(const Region& r, double power = shear_elongation) {
   return std::pow(r.elongation(), power);
 }
 
-/// The error of such a sum. `change` is its difference from the coarse result.
-double shear_error(double change, const UncertainSum& sum, const Region& r,
-                   const GridShares& shares = shares::shear) {
-  return growth(r) * (shares.of(r.line).change * std::abs(change) + local_error(sum, r, shares));
+/// Of the error of a sum of shear tractions. `change` is its difference from the coarse result, `longer` as
+/// growth() returns it. The local part is there even if larger elements give the same sum, because the two
+/// may agree by chance.
+ErrorParts shear_parts(double change, const UncertainSum& sum, const Region& r, double longer) {
+  return {.change = longer * std::abs(change),
+          .local = longer * std::min(sum.size, shear_deviation * sum.deviation) / r.contact,
+          .adhesion = longer * std::sqrt(sum.adhering)};
+}
+ErrorParts shear_parts(double change, const UncertainSum& sum, const Region& r) {
+  return shear_parts(change, sum, r, growth(r));
 }
 
-/// The local part of the error of an approach, or of a patch's overlap, relative to it.
-double local_approach(const Region& r, const GridShares& shares = shares::approach) {
-  const ErrorShares& share = shares.of(r.line);
-  return share.local / r.contact + share.peak * r.relative_fall();
+/// Of the error of an approach, or of a patch's overlap.
+ErrorParts approach_parts(double change, const Region& r) {
+  return {.change = std::abs(change), .local = r.overlap / r.contact, .peak = r.overlap * r.relative_fall()};
 }
 
 /// The local part of the error of the normal force at a given approach, N. Hertz's force grows as
 /// approach^1.5, so the relative error is 1.5 times that of the approach.
 double local_normal_force(const Region& r) {
-  return 1.5 * r.fn * local_approach(r);
+  const ErrorShares& share = shares::approach.of(r.line);
+  return 1.5 * r.fn * (share.local / r.contact + share.peak * r.relative_fall());
 }
 
 /// Of the power of friction. Each wave of the tractions loses energy on elements (slip_step.hpp), and that is
 /// missing in what slip dissipates. The driving power has no such part.
-double power_error(const Region& fine, const Region& coarse) {
-  return std::abs(fine.driving_power.total - fine.T_gamma) +
-         shear_error(fine.driving_power.total - coarse.driving_power.total, fine.driving_power, fine,
-                     shares::shear_x);
+ErrorParts power_parts(const Region& fine, const Region& coarse) {
+  ErrorParts out =
+      shear_parts(fine.driving_power.total - coarse.driving_power.total, fine.driving_power, fine);
+  out.fixed = std::abs(fine.driving_power.total - fine.T_gamma);
+  return out;
 }
 
 /// Of what friction does in a patch.
 void estimate_patch_shear(const Region& fine, const Region& coarse, PatchSummary& out) {
-  out.fx.error = shear_error(fine.fx.total - coarse.fx.total, fine.fx, fine, shares::shear_x);
-  out.fs.error = shear_error(fine.fs.total - coarse.fs.total, fine.fs, fine);
-  out.moment_n.error =
-      growth(fine, moment_elongation) *
-      (shares::patch_moment.of(fine.line).change * std::abs(fine.moment.total - coarse.moment.total) +
-       local_error(fine.moment, fine, shares::patch_moment));
-  out.T_gamma.error = power_error(fine, coarse);
+  out.fx.error = weighed(shares::shear_x, fine, shear_parts(fine.fx.total - coarse.fx.total, fine.fx, fine));
+  out.fs.error = weighed(shares::shear, fine, shear_parts(fine.fs.total - coarse.fs.total, fine.fs, fine));
+  out.moment_n.error = weighed(shares::patch_moment, fine,
+                               shear_parts(fine.moment.total - coarse.moment.total, fine.moment, fine,
+                                           growth(fine, moment_elongation)));
+  out.T_gamma.error = weighed(shares::shear_x, fine, power_parts(fine, coarse));
 }
 
 void estimate_patch(const Region& fine, const Region& coarse, double roughness, PatchSummary& out) {
-  out.pmax.error = pmax_error(fine, coarse, roughness);
-  out.area.error = area_error(fine);
-  out.overlap.error = shares::overlap.of(fine.line).change * std::abs(fine.overlap - coarse.overlap) +
-                      fine.overlap * local_approach(fine, shares::overlap);
+  out.pmax.error = weighed(shares::pmax, fine, pmax_parts(fine, coarse, roughness));
+  out.area.error = weighed(shares::area, fine, area_parts(fine));
+  out.overlap.error = weighed(shares::overlap, fine, approach_parts(fine.overlap - coarse.overlap, fine));
   estimate_patch_shear(fine, coarse, out);
 }
 
@@ -128,18 +133,20 @@ void estimate_patch(const Region& fine, const Region& coarse, double roughness, 
 double normal_error(const Region& fine, const Region& coarse, const ShearEffects& effects, double fs,
                     const Region& contact) {
   const double change = fine.fn - coarse.fn + effects.slope * (fine.fs.total - coarse.fs.total);
-  return std::hypot(effects.slope * fs, shear_error(change, effects.fn, contact, shares::normal)) +
+  return std::hypot(effects.slope * fs,
+                    weighed(shares::normal, contact, shear_parts(change, effects.fn, contact))) +
          normal_bent * effects.bent / contact.contact;
 }
 
 /// Of Fy: by shear, and by the direction of the pressure. Where Fz and Fs are prescribed, nothing else can
 /// change it.
-double lateral_error(const ContactProblem& problem, double change, const ShearEffects& effects,
-                     const Region& contact) {
+ErrorParts lateral_parts(const ContactProblem& problem, double change, const ShearEffects& effects,
+                         const Region& contact) {
   const bool prescribed = problem.load == LoadKind::force && problem.force_s;
-  const double shear = prescribed ? shares::shear.of(contact.line).change * std::abs(change)
-                                  : shear_error(change, effects.fy, contact);
-  return shear + direction_local * effects.turned / contact.contact;
+  ErrorParts out =
+      prescribed ? ErrorParts{.change = std::abs(change)} : shear_parts(change, effects.fy, contact);
+  out.fixed = direction_local * effects.turned / contact.contact;
+  return out;
 }
 
 /// Of the patches; none where the coarse result has other ones. `contact`: all patches.
@@ -214,52 +221,60 @@ double turn_of_slip(const ContactProblem& problem, const ContactResult& result) 
 /// creepage by so much times the compliance, which grows without bound towards full slip.
 void estimate_creepages(const ContactProblem& problem, const ContactResult& result,
                         const ContactGrid& coarse_grid, const ContactResult& coarse, const Region& fine,
-                        ContactTotals& totals) {
+                        ContactTotals& totals, PartsOfTotals& parts) {
   const LargerElements larger(problem.grid, result.pn);
-  const auto error = [&](const ErrorShares& share, double change, double compliance, double moved,
-                         double adhering) {
+  const auto parts_of = [&](double change, double compliance, double moved, double adhering) {
     if (!std::isfinite(compliance))
       compliance = strain_per_force(problem, fine);
-    return share.change * std::abs(change) +
-           std::abs(compliance) * (share.local * moved + share.adhesion * adhering);
+    return ErrorParts{.change = std::abs(change),
+                      .local = std::abs(compliance) * moved,
+                      .adhesion = std::abs(compliance) * adhering};
   };
   const ContactTotals &now = result.totals, &was = coarse.totals;
-  if (problem.force_x)
-    totals.creepage_x.error =
-        error(shares::creepage_x, now.creepage_x - was.creepage_x, now.compliance_x,
-              moved_force(larger, result.px, coarse.px, coarse_grid), fine.fx.adhering_alike);
-  if (problem.force_s) // spin's tractions cancel in the sum, and not in what the elements are off by
-    totals.creepage_s.error =
-        error(shares::creepage_s, now.creepage_s - was.creepage_s, now.compliance_s,
-              moved_force(larger, result.ps, coarse.ps, coarse_grid), std::sqrt(fine.fs.adhering)) +
-        creepage_turn * turn_of_slip(problem, result);
+  if (problem.force_x) {
+    parts.creepage_x =
+        parts_of(now.creepage_x - was.creepage_x, now.compliance_x,
+                 moved_force(larger, result.px, coarse.px, coarse_grid), fine.fx.adhering_alike);
+    totals.creepage_x.error = weighed(shares::creepage_x, parts.creepage_x);
+  }
+  if (problem.force_s) { // spin's tractions cancel in the sum, and not in what the elements are off by
+    parts.creepage_s =
+        parts_of(now.creepage_s - was.creepage_s, now.compliance_s,
+                 moved_force(larger, result.ps, coarse.ps, coarse_grid), std::sqrt(fine.fs.adhering));
+    parts.creepage_s.fixed = creepage_turn * turn_of_slip(problem, result);
+    totals.creepage_s.error = weighed(shares::creepage_s, parts.creepage_s);
+  }
 }
 
 /// Sets what needs friction, but for creepages: shear forces, adhesion, power.
 void estimate_shear(const ContactProblem& problem, const ContactResult& result, const ContactResult& coarse,
-                    const std::pair<Region, Region>& regions, ContactTotals& totals) {
+                    const std::pair<Region, Region>& regions, ContactTotals& totals, PartsOfTotals& parts) {
   const auto& [fine, rough] = regions;
-  totals.Fx.error =
-      problem.force_x ? 0 : shear_error(result.totals.Fx - coarse.totals.Fx, fine.fx, fine, shares::shear_x);
-  totals.Fs.error = problem.force_s ? 0 : shear_error(result.totals.Fs - coarse.totals.Fs, fine.fs, fine);
-  const ErrorShares& share = shares::adhesion_share.of(fine.line);
-  totals.adhesion_share.error =
-      share.change * std::abs(fine.adhesion_share() - rough.adhesion_share()) +
-      (share.local + share.adhesion * std::sqrt(double(fine.adhesion_border))) / fine.contact;
-  totals.T_gamma.error = power_error(fine, rough);
+  if (!problem.force_x)
+    parts.Fx = shear_parts(result.totals.Fx - coarse.totals.Fx, fine.fx, fine);
+  if (!problem.force_s)
+    parts.Fs = shear_parts(result.totals.Fs - coarse.totals.Fs, fine.fs, fine);
+  parts.adhesion_share = {.change = std::abs(fine.adhesion_share() - rough.adhesion_share()),
+                          .local = 1.0 / fine.contact,
+                          .adhesion = std::sqrt(double(fine.adhesion_border)) / fine.contact};
+  parts.T_gamma = power_parts(fine, rough);
+  totals.Fx.error = weighed(shares::shear_x, fine, parts.Fx);
+  totals.Fs.error = weighed(shares::shear, fine, parts.Fs);
+  totals.adhesion_share.error = weighed(shares::adhesion_share, fine, parts.adhesion_share);
+  totals.T_gamma.error = weighed(shares::shear_x, fine, parts.T_gamma);
 }
 
 /// Of the highest temperature of a surface, degrees C. `bulk`: what it has before the contact.
-double temperature_error(const ContactGrid& grid, const std::vector<double>& fine,
-                         const std::vector<double>& coarse, double bulk, int contact) {
+ErrorParts temperature_parts(const ContactGrid& grid, const std::vector<double>& fine,
+                             const std::vector<double>& coarse, double bulk, int contact) {
   const int i = static_cast<int>(std::ranges::max_element(fine) - fine.begin());
   const auto curvature = [&](int step, int at, int count) {
     return at > 0 && at + 1 < count ? std::abs(2 * fine[i] - fine[i - step] - fine[i + step]) : 0.0;
   };
   const double beside = curvature(1, i % grid.mx, grid.mx) + curvature(grid.mx, i / grid.mx, grid.ms);
-  const ErrorShares& share = shares::temperature;
-  return share.change * std::abs(fine[i] - std::ranges::max(coarse)) + share.peak * beside +
-         share.local * (fine[i] - bulk) / contact;
+  return {.change = std::abs(fine[i] - std::ranges::max(coarse)),
+          .local = (fine[i] - bulk) / contact,
+          .peak = beside};
 }
 
 } // namespace
@@ -271,7 +286,8 @@ double creepage_x_error(const ContactProblem& problem, const ContactResult& resu
   if (rough.contact < least_companion || !converges(fine, rough, roughness_of_gap(problem, result)))
     return unknown_error;
   ContactTotals totals;
-  estimate_creepages(problem, result, coarse_problem.grid, coarse, fine, totals);
+  PartsOfTotals parts;
+  estimate_creepages(problem, result, coarse_problem.grid, coarse, fine, totals, parts);
   return totals.creepage_x.error;
 }
 
@@ -289,35 +305,44 @@ void estimate_errors(const ContactProblem& problem, const ContactProblem& coarse
   if (!estimate.converges)
     return;
   ContactTotals& totals = result.totals;
-  totals.area.error = area_error(fine);
-  totals.pmax.error = pmax_error(fine, rough, roughness);
+  PartsOfTotals& parts = estimate.parts;
+  parts.area = area_parts(fine);
+  parts.pmax = pmax_parts(fine, rough, roughness);
+  totals.area.error = weighed(shares::area, fine, parts.area);
+  totals.pmax.error = weighed(shares::pmax, fine, parts.pmax);
   for (Measured* number : {&totals.Fx, &totals.Fs, &totals.adhesion_share, &totals.T_gamma,
                            &totals.creepage_x, &totals.creepage_s})
     number->error = 0;
   if (problem.has_friction()) {
-    estimate_shear(problem, result, coarse, regions, totals);
-    estimate_creepages(problem, result, coarse_problem.grid, coarse, fine, totals);
+    estimate_shear(problem, result, coarse, regions, totals, parts);
+    estimate_creepages(problem, result, coarse_problem.grid, coarse, fine, totals, parts);
   }
   if (result.temperatures && coarse.temperatures) {
-    const auto error = [&](std::vector<double> SurfaceTemperatures::*surface, const ThermalBody& body) {
-      return temperature_error(problem.grid, (*result.temperatures).*surface, (*coarse.temperatures).*surface,
+    const auto parts_of = [&](std::vector<double> SurfaceTemperatures::*surface, const ThermalBody& body) {
+      return temperature_parts(problem.grid, (*result.temperatures).*surface, (*coarse.temperatures).*surface,
                                body.temperature, fine.contact);
     };
-    totals.Tmax_rail.error = error(&SurfaceTemperatures::rail, problem.heating->rail);
-    totals.Tmax_wheel.error = error(&SurfaceTemperatures::wheel, problem.heating->wheel);
+    parts.Tmax_rail = parts_of(&SurfaceTemperatures::rail, problem.heating->rail);
+    parts.Tmax_wheel = parts_of(&SurfaceTemperatures::wheel, problem.heating->wheel);
+    totals.Tmax_rail.error = weighed(shares::temperature, parts.Tmax_rail);
+    totals.Tmax_wheel.error = weighed(shares::temperature, parts.Tmax_wheel);
   }
   const bool force = problem.load == LoadKind::force;
-  totals.approach.error =
-      force ? shares::approach.of(fine.line).change * std::abs(totals.approach - coarse.totals.approach) +
-                  fine.overlap * local_approach(fine)
-            : 0;
+  if (force)
+    parts.approach = approach_parts(totals.approach - coarse.totals.approach, fine);
+  totals.approach.error = weighed(shares::approach, fine, parts.approach);
   const ShearEffects effects = effects_of_shear(problem, result);
-  totals.Fy.error = lateral_error(problem, totals.Fy - coarse.totals.Fy, effects, fine);
+  parts.Fy = lateral_parts(problem, totals.Fy - coarse.totals.Fy, effects, fine);
+  totals.Fy.error = weighed(shares::shear, fine, parts.Fy);
   totals.Fz.error =
-      force ? 0 : shear_error(totals.Fz - coarse.totals.Fz, effects.fz, fine) + local_normal_force(fine);
+      force ? 0
+            : weighed(shares::shear, fine, shear_parts(totals.Fz - coarse.totals.Fz, effects.fz, fine)) +
+                  local_normal_force(fine);
   const double longer = growth(fine, moment_elongation);
+  parts.moment = shear_parts(0, fine.moment, fine, longer);
+  estimate.local_moment = weighed(shares::moment, fine, parts.moment);
+  parts.moment.change = longer;
   estimate.moment_change = longer * shares::moment.of(fine.line).change;
-  estimate.local_moment = longer * local_error(fine.moment, fine, shares::moment);
   estimate_patches(problem, patches, rough_patches, effects, fine, roughness, result.patches);
   estimate_track_forces(result);
 }

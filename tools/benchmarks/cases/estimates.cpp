@@ -5,9 +5,12 @@
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace cases {
 
@@ -64,8 +67,39 @@ SceneFile on_finer_grid(SceneFile scene, const ContactGrid& grid) {
   return scene;
 }
 
-void print_line(std::size_t index, const char* name, double value, double error, double exact) {
-  fmt::print("{},{},{:.9g},{:.5g},{:.9g}\n", index, name, value, error, exact);
+void print_line(std::size_t index, const char* name, double value, double error, double exact,
+                bool line = false, const ErrorParts& parts = {}) {
+  fmt::print("{},{},{:.9g},{:.5g},{:.9g},{:d},{:.5g},{:.5g},{:.5g},{:.5g},{:.5g}\n", index, name, value,
+             error, exact, line, parts.change, parts.local, parts.peak, parts.adhesion, parts.fixed);
+}
+
+/// The parts of the error of a number; all 0 of one that has none.
+ErrorParts parts_of(std::string_view name, const SceneResult& r) {
+  struct Named {
+    std::string_view name;
+    ErrorParts PartsOfTotals::*parts;
+  };
+  constexpr auto all = std::to_array<Named>({{"Fx", &PartsOfTotals::Fx},
+                                             {"Fs", &PartsOfTotals::Fs},
+                                             {"Fy", &PartsOfTotals::Fy},
+                                             {"Mz", &PartsOfTotals::moment},
+                                             {"approach", &PartsOfTotals::approach},
+                                             {"pmax", &PartsOfTotals::pmax},
+                                             {"area", &PartsOfTotals::area},
+                                             {"adhesion_share", &PartsOfTotals::adhesion_share},
+                                             {"T_gamma", &PartsOfTotals::T_gamma},
+                                             {"xi", &PartsOfTotals::creepage_x},
+                                             {"eta", &PartsOfTotals::creepage_s},
+                                             {"Tmax_rail", &PartsOfTotals::Tmax_rail},
+                                             {"Tmax_wheel", &PartsOfTotals::Tmax_wheel}});
+  const auto found = std::ranges::find(all, name, &Named::name);
+  const std::optional<Discretisation>& estimate = r.result.trust.discretisation;
+  if (found == all.end() || !estimate)
+    return {};
+  ErrorParts out = estimate->parts.*found->parts;
+  if (name == "Mz") // there its change is one of 1 N mm
+    out.change *= (r.moment.error - estimate->local_moment) / estimate->moment_change;
+  return out;
 }
 
 /// The patch of `fine` that is nearest to this one.
@@ -81,7 +115,8 @@ void print_case(std::size_t index, const SceneResult& base, const SceneResult& f
              std::abs(base.result.totals.pmax / fine.result.totals.pmax - 1));
   for (const Quantity& number : quantities())
     if (number.error)
-      print_line(index, number.name, number.value(base), number.error(base), number.value(fine));
+      print_line(index, number.name, number.value(base), number.error(base), number.value(fine),
+                 base.problem.grid.is_line(), parts_of(number.name, base));
   if (base.result.patches.size() != fine.result.patches.size())
     return;
   for (std::size_t i = 0; i < base.result.patches.size(); ++i) {
@@ -97,7 +132,7 @@ void print_case(std::size_t index, const SceneResult& base, const SceneResult& f
 
 void estimates(const SweepFile& sweep) {
   Sequence base_cases, fine_cases;
-  fmt::print("case,quantity,value,error,exact\n");
+  fmt::print("case,quantity,value,error,exact,line,change,local,peak,adhesion,fixed\n");
   for (std::size_t i = 0; i < sweep.size(); ++i)
     try {
       SceneFile scene = sweep.scene(i);

@@ -22,8 +22,9 @@ void files(const bem_contact::SweepFile& sweep, const bem_contact::SweepFile& by
 void areas(const bem_contact::SweepFile& sweep);
 
 /// A CSV line for each printed number of each case and of its patches: value, stated error (nan: none), and
-/// the value on elements a quarter as long and as wide. The line "stated" or "unconverged" of each case has
-/// whether an error is stated, and the true relative error of pmax.
+/// the value on elements a quarter as long and as wide; for totals whether the grid is one row or column, and
+/// the parts of the stated error (ErrorParts). The line "stated" or "unconverged" of each case has whether an
+/// error is stated, and the true relative error of pmax.
 void estimates(const bem_contact::SweepFile& sweep);
 
 } // namespace cases
