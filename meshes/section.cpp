@@ -179,10 +179,28 @@ Piece along(const ProfileCurve& curve, double from, double to, Group group) {
   return {[shared](double s) { return shared->at(s).position; }, from, to, group};
 }
 
+namespace {
+
+/// An own outline was checked when it was read; a rail is as deep as its section.
+void require_roller_below(const Section& section, double roller_radius) {
+  double deepest = 0;
+  for (const Piece& piece : section.loops.front())
+    deepest = std::max(deepest, piece.end().z);
+  if (roller_radius > 0 && !(deepest < roller_radius))
+    throw InputError(
+        fmt::format("The section of {} reaches the axis of its roller", section.name),
+        fmt::format("it goes down to z = {:.6g} mm, body.roller_radius is {:g} mm", deepest, roller_radius),
+        "Give a larger radius, or the roller's own section as an outline with a reference_radius "
+        "below 0.");
+}
+
+} // namespace
+
 Section make_section(const BodyFile& file) {
   const ProfileCurve profile = body_profile(file);
   Section section{body_name(file), {}, {}};
   section.loops = loops_of(file.body, profile, cut_at_strip(profile, file.strip), section.note);
+  require_roller_below(section, file.body.roller_radius);
   return section;
 }
 

@@ -84,7 +84,7 @@ QuadMesh coarse_section(BodyFile body) {
 std::vector<double> layers_of(const BodyFile& body) {
   const double radius = reference_radius_of(body);
   const double length = half_period_of(body);
-  const double longest = radius > 0 ? widest_sector * radius : length;
+  const double longest = radius != 0 ? widest_sector * std::abs(radius) : length;
   double first = (body.solid.dx > 0 ? body.solid.dx : body.strip.station_width) / 2;
   if (4 * first > length)
     throw InputError(
@@ -112,9 +112,9 @@ SolidMesh mesh_solid(const BodyFile& body) {
   const double radius = reference_radius_of(body);
   for (const double x : mesh.layers)
     for (const Point2 p : section.points) {
-      const double angle = radius > 0 ? x / radius : 0, r = radius + p.z;
-      mesh.points.push_back(radius > 0 ? Point3{r * std::sin(angle), p.y, r * std::cos(angle) - radius}
-                                       : Point3{x, p.y, p.z});
+      const double angle = radius != 0 ? x / radius : 0, r = radius + p.z;
+      mesh.points.push_back(radius != 0 ? Point3{r * std::sin(angle), p.y, r * std::cos(angle) - radius}
+                                        : Point3{x, p.y, p.z});
     }
   const auto layer_size = static_cast<int>(section.points.size());
   const auto last = static_cast<int>(mesh.layers.size()) - 1;

@@ -199,7 +199,7 @@ Scaling checked_scaling(const InfluenceFunction& f, const ExpandOptions& o) {
                      fmt::format("contact radius {} mm", o.contact_radius), "Give a radius above 0.");
   Scaling scaling{o.dx, 1};
   if (f.invariance == Invariance::revolution && o.contact_radius > 0) {
-    scaling.load = o.contact_radius / f.reference_radius;
+    scaling.load = o.contact_radius / std::abs(f.reference_radius);
     scaling.dx = o.dx / scaling.load;
   }
   if (f.is_table())

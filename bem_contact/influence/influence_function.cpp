@@ -47,9 +47,9 @@ void validate_metadata(const InfluenceDescription& f) {
           "one of its error estimates is not finite",
           "the Betti, reaction and estimated errors must be numbers");
   if (f.invariance == Invariance::revolution) {
-    require(std::isfinite(f.reference_radius) && f.reference_radius > 0,
-            "its reference radius is not positive", fmt::format("{} mm", f.reference_radius));
-    const double half_turn = std::numbers::pi * f.reference_radius;
+    require(std::isfinite(f.reference_radius) && f.reference_radius != 0, "it has no reference radius",
+            fmt::format("{} mm", f.reference_radius));
+    const double half_turn = std::numbers::pi * std::abs(f.reference_radius);
     require(std::abs(f.half_period - half_turn) <= half_turn_slack * half_turn,
             "the half period of a body of revolution is not half a turn",
             fmt::format("{:.9g} mm, pi times its reference radius is {:.9g}", f.half_period, half_turn));

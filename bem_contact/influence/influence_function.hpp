@@ -36,10 +36,15 @@ struct InfluenceDescription {
   std::string held;   ///< how the body is held, in words
   std::string method; ///< "harmonic" or "solid3d", with degree and mesh in words
   Invariance invariance = Invariance::prismatic;
-  double reference_radius = 0; ///< R_ref, mm (revolution only)
-  double half_period = 0;      ///< L, mm: the series has the multiples of pi / L (revolution: L = pi R_ref)
-  double station_width = 0;    ///< ds, mm
-  double table_dx = 0;         ///< mm, element length of the table; 0: the function is given by its kernel
+  /// R_ref, mm (revolution only): z of a point of the section is r - R_ref. Above 0: the axis lies above the
+  /// contact (a wheel). Below 0: it lies below (a roller), and r is below 0 too.
+  double reference_radius = 0;
+  double half_period = 0;   ///< L, mm: the series has the multiples of pi / L (revolution: L = pi |R_ref|)
+  double station_width = 0; ///< ds, mm
+  double table_dx = 0;      ///< mm, element length of the table; 0: the function is given by its kernel
+
+  /// Radius of a body of revolution at a point of its section, mm.
+  double radius_at(Point2 p) const { return std::abs(reference_radius + p.z); }
 
   /// What the file says of its own error: the largest that was found. The first and the last are relative to
   /// self numbers, the second to the load.

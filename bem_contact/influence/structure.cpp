@@ -115,7 +115,7 @@ std::optional<SixBySix> structural_compliance(const InfluenceStrip& f, Point2 po
     return std::nullopt;
   const int elements = structure_elements;
   const bool round = f.invariance == Invariance::revolution;
-  const double ratio = round ? (f.reference_radius + point.z) / f.reference_radius : 1.0;
+  const double ratio = round ? f.radius_at(point) / std::abs(f.reference_radius) : 1.0;
   const double dx = structure_length / elements / ratio;
   const MatrixXd shapes = shapes_of(f, point);
   const Matrix6 square = shapes.transpose() * shapes;

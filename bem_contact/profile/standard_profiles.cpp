@@ -250,7 +250,10 @@ std::string body_name(const BodyFile& file) {
     return body_profile(file).name();
   const bool standard = is_standard_profile(body.profile);
   const std::string base = standard ? body.profile : graft_base(body);
-  const char* what = body.kind == BodyKind::wheel ? " (representative rim, web and hub)" : "";
+  const std::string what = body.kind == BodyKind::wheel ? " (representative rim, web and hub)"
+                           : body.roller_radius > 0
+                               ? fmt::format(" as a roller of radius {:g} mm", body.roller_radius)
+                               : "";
   if (standard)
     return fmt::format("{} {}{}", name_of(body.kind), base, what);
   return fmt::format("{} {} on {}{}", name_of(body.kind),

@@ -145,6 +145,7 @@ ContactOnGrid ContactSetup::on(const GridPlan& plan) const {
     problem.gap = wheel_rail()->gap(plan, problem.rows);
     problem.numbers.dx = problem.grid.dx;
     out.contact_radius = wheel_rail()->contact_radius;
+    out.roller_contact_radius = wheel_rail()->roller_contact_radius();
   }
   apply_motion(motion, reference().delta, problem);
   if (!problem.tangential)

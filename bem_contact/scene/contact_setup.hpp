@@ -35,6 +35,7 @@ struct ContactOnGrid {
   ContactProblem problem;              ///< complete but for the values of the influence numbers
   std::vector<double> rail_s, wheel_s; ///< arc length of each row on the lower and the upper body, mm
   double contact_radius = 0;           ///< of a wheel, at the contact, mm; 0: none
+  double roller_contact_radius = 0;    ///< of a roller, there, mm; 0: the lower body is straight along x
   SurfaceLayer layer;                  ///< between the bodies; not in any influence numbers yet
 };
 

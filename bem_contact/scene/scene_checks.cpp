@@ -137,10 +137,6 @@ void check_roller(const SceneFile& f, const Schema& s) {
   if (f.track.curve_radius)
     s.refuse("track.curve_radius", "rail.roller_radius is given, and a roller rig has no curve",
              "Give the wheelset's yaw, and motion.roller_speed.");
-  if (!f.rail.influence.empty())
-    s.refuse("rail.influence",
-             "rail.roller_radius is given, and influence functions are those of a straight rail",
-             "Leave it out: half-spaces or tangent planes serve a roller.");
 }
 
 void check_track(const SceneFile& f, const Schema& s) {

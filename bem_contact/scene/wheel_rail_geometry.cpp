@@ -1,12 +1,15 @@
 #include "bem_contact/scene/wheel_rail_geometry.hpp"
 
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/geometry/rail_rows.hpp"
 #include "bem_contact/geometry/undeformed_distance.hpp"
+#include "bem_contact/profile/bodies/body_file.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/profile/worn/like_standard.hpp"
 
 #include <cmath>
+#include <fmt/format.h>
 
 namespace bem_contact {
 
@@ -26,6 +29,19 @@ void take_back(const WheelRailGeometry& placed, const std::vector<ContactRow>& r
   }
 }
 
+/// A body file gives its contact surface alone; that of a roller is no rail without its curvature along x.
+void require_roller_for_its_body(const SceneFile& scene) {
+  const auto file = profile_file_name(scene.rail.profile, scene.folder).file;
+  if (is_standard_profile(scene.rail.profile) || file.extension() != ".toml" || scene.rail.roller_radius)
+    return;
+  if (const double radius = -reference_radius_of(read_body_file(file)); radius > 0)
+    throw InputError(fmt::format("The rail '{}' is a roller", scene.rail.profile),
+                     fmt::format("its axis lies {:g} mm below the origin of its section, and the scene has a "
+                                 "straight rail",
+                                 radius),
+                     fmt::format("Give rail.roller_radius = {:g}, or a straight rail.", radius));
+}
+
 } // namespace
 
 RailInclination inclination_of_rail(const std::string& name, const ProfileCurve& rail) {
@@ -37,6 +53,7 @@ RailInclination inclination_of_rail(const std::string& name, const ProfileCurve&
 WheelRailProfiles read_profiles(const SceneFile& scene) {
   const ProfileCurve rail =
       named_profile(scene.rail.profile, ProfileKind::rail, scene.folder, scene.rail.reading);
+  require_roller_for_its_body(scene);
   return {rail, named_profile(scene.wheel.profile, ProfileKind::wheel, scene.folder, scene.wheel.reading),
           inclination_of_rail(scene.rail.profile, rail)};
 }

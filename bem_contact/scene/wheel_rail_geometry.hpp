@@ -39,6 +39,8 @@ struct WheelRailGeometry {
   RailInclination rail_inclination; ///< of the rail in its file, before position.rail_inclination
   std::optional<StructuralPlacement> structure = {}; ///< where structural motion has moved the bodies
 
+  /// Radius of the roller at the reference point, mm; 0 on a straight rail.
+  double roller_contact_radius() const { return pair.roller ? pair.roller->radius(reference.position) : 0; }
   std::vector<ContactRow> rows(const GridPlan& plan) const;
   /// Arc length of rows on the rail and on the wheel, mm.
   std::vector<double> rail_stations(const std::vector<ContactRow>& rows) const;

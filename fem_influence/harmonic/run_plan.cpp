@@ -78,7 +78,7 @@ RunPlan plan_run(const BodyFile& body, const ProfileCurve& curve) {
 double shortest_reference_dx(const BodyFile& body, std::span<const Station> stations) {
   const double reference = reference_radius_of(body);
   double longest = 1;
-  if (reference > 0)
+  if (reference != 0)
     for (const Station& station : stations)
       longest = std::max(longest, (reference + station.position.z) / reference);
   return body.harmonic.shortest_dx / longest;

@@ -28,9 +28,10 @@ std::size_t SectionOperator::block_count() const {
 
 SectionOperator lay_out(const Section& section, const Material& material, double reference_radius) {
   for (const Point2 p : section.node_positions())
-    if (reference_radius > 0 && !(reference_radius + p.z > 0))
-      throw InputError("The mesh reaches the axle of the wheel",
-                       "a node has z = " + std::to_string(p.z) + " mm and r = R_ref + z <= 0",
+    if (reference_radius != 0 && !((reference_radius + p.z) / reference_radius > 0))
+      throw InputError("The mesh reaches the axle of the body",
+                       "a node has z = " + std::to_string(p.z) +
+                           " mm, and the axle is at z = " + std::to_string(-reference_radius) + " mm",
                        "Use a section with a bore.");
   SectionOperator op;
   op.cells = section.cells();
@@ -42,7 +43,7 @@ SectionOperator lay_out(const Section& section, const Material& material, double
 void fill(SectionOperator& op, const Section& section, double reference_radius,
           std::span<SectionOperator::Block> memory) {
   const double mu = op.mu, lambda = op.lambda, stiff = lambda + 2 * mu;
-  const bool revolution = reference_radius > 0;
+  const bool revolution = reference_radius != 0;
   if (memory.empty()) {
     const auto own = std::make_shared<std::vector<SectionOperator::Block>>(op.block_count());
     op.own = own;
@@ -124,7 +125,7 @@ std::vector<double> SectionOperator::apply(double k, std::span<const double> u) 
 }
 
 std::vector<std::vector<double>> rigid_motions(std::span<const Point2> nodes, double reference_radius) {
-  const bool revolution = reference_radius > 0;
+  const bool revolution = reference_radius != 0;
   std::vector<std::vector<double>> motions(revolution ? 2 : 4);
   const auto add = [&](std::size_t motion, double x, double y, double z) {
     motions[motion].insert(motions[motion].end(), {x, y, z});

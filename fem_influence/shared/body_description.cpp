@@ -28,7 +28,7 @@ InfluenceFunction describe(const BodyFile& body, const ProfileCurve& curve) {
   f.profile_digest = curve.digest();
   f.material = body.material;
   f.reference_radius = reference_radius_of(body);
-  f.invariance = f.reference_radius > 0 ? Invariance::revolution : Invariance::prismatic;
+  f.invariance = f.reference_radius != 0 ? Invariance::revolution : Invariance::prismatic;
   f.half_period = half_period_of(body);
   f.station_width = body.strip.station_width;
   f.stations = make_stations(body.strip, curve);

@@ -27,11 +27,11 @@ struct Element {
 
 Element element_at(const Station& station, double x, double radius) {
   const Point2 s = tangent_of(station.delta), n = normal_of(station.delta), p = station.position;
-  const double theta = radius > 0 ? x / radius : 0, c = std::cos(theta), d = std::sin(theta);
+  const double theta = radius != 0 ? x / radius : 0, c = std::cos(theta), d = std::sin(theta);
   Element e;
   e.frame << c, s.z * d, n.z * d, 0, s.y, n.y, -d, s.z * c, n.z * c;
   e.position =
-      radius > 0 ? Vector3d((radius + p.z) * d, p.y, (radius + p.z) * c - radius) : Vector3d(x, p.y, p.z);
+      radius != 0 ? Vector3d((radius + p.z) * d, p.y, (radius + p.z) * c - radius) : Vector3d(x, p.y, p.z);
   return e;
 }
 

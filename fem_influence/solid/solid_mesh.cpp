@@ -126,8 +126,8 @@ void use_manifolds(dealii::Triangulation<3>& coarse, const std::filesystem::path
   constexpr dealii::types::manifold_id profile_manifold = 1, swept_manifold = 2, arc_manifold = 3;
   const auto outline = std::make_shared<const CurvedOutline>(surface.curve(), path);
   const auto swept = std::make_shared<const ContactSurface>(surface);
-  coarse.set_all_manifold_ids(surface.reference_radius() > 0 ? swept_manifold
-                                                             : dealii::numbers::flat_manifold_id);
+  coarse.set_all_manifold_ids(surface.reference_radius() != 0 ? swept_manifold
+                                                              : dealii::numbers::flat_manifold_id);
   // Not set_all_manifold_ids_on_boundary: it leaves out edges shared with another group, as those at x = 0.
   for (const auto& face : coarse.active_face_iterators()) {
     const auto group = static_cast<int>(face->boundary_id());

@@ -73,11 +73,11 @@ constexpr std::array<double, 5> gauss_weight = {0.118463442528095, 0.23931433524
 Vector3 ContactSurface::swept_of(const Vector3& p) const {
   if (radius_ == 0)
     return p;
-  const double up = p[2] + radius_;
-  double theta = std::atan2(p[0], up); // half of the body lies at 0 .. pi: both ends well inside the branch
+  const double side = std::copysign(1.0, radius_), out = side * (p[2] + radius_); // away from the axle
+  double theta = std::atan2(p[0], out); // half of the body lies at 0 .. pi: both ends well inside the branch
   if (theta < -0.5 * std::numbers::pi)
     theta += 2 * std::numbers::pi;
-  return {radius_ * theta, p[1], std::hypot(p[0], up) - radius_};
+  return {std::abs(radius_) * theta, p[1], side * std::hypot(p[0], out) - radius_};
 }
 
 Vector3 ContactSurface::from_swept(const Vector3& swept) const {
@@ -100,7 +100,7 @@ Vector3 ContactSurface::position(SurfacePoint place) const {
 std::array<Vector3, 3> ContactSurface::frame(SurfacePoint place) const {
   const double delta = curve_.at(std::clamp(place.s, curve_.s_begin(), curve_.s_end())).delta;
   const Point2 s = tangent_of(delta), n = normal_of(delta);
-  const double theta = radius_ > 0 ? place.x / radius_ : 0, c = std::cos(theta), d = std::sin(theta);
+  const double theta = radius_ != 0 ? place.x / radius_ : 0, c = std::cos(theta), d = std::sin(theta);
   return {{{c, 0, -d}, {s.z * d, s.y, s.z * c}, {n.z * d, n.y, n.z * c}}};
 }
 

@@ -21,8 +21,9 @@ struct SurfacePatch {
   double area() const { return (s_to - s_from) * (x_to - x_from); } ///< reference area, ds dx
 };
 
-/// The contact surface of a body in 3-D: its profile, extruded along x or (reference_radius > 0) turned about
-/// the axle, which lies reference_radius above z = 0: (x, y, z) = (r sin theta, y, r cos theta - R_ref).
+/// The contact surface of a body in 3-D: its profile, extruded along x or (reference_radius != 0) turned
+/// about the axle, which lies reference_radius above z = 0: (x, y, z) = (r sin theta, y, r cos theta -
+/// R_ref).
 class ContactSurface {
 public:
   ContactSurface(ProfileCurve curve, double reference_radius)

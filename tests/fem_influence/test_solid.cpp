@@ -250,6 +250,22 @@ TEST_F(Solid, refuses_what_does_not_fit) {
   }
 }
 
+TEST(SolidSurface, frame_and_places_of_a_roller) {
+  const ContactSurface surface(straight_line(20), -460); // the axle lies below
+  for (const double x : {0.0, 3.0, -2.0, 460 * std::numbers::pi}) {
+    const Vector3 p = surface.position({5, x});
+    EXPECT_NEAR(p[0], 460 * std::sin(x / 460), 1e-9);
+    EXPECT_NEAR(p[2], 460 * (1 - std::cos(x / 460)), 1e-9); // the surface falls off to both sides
+    const SurfacePoint back = surface.nearest(p);
+    EXPECT_NEAR(back.s, 5, 1e-9);
+    EXPECT_NEAR(back.x, x, 1e-9);
+    const auto frame = surface.frame({5, x});
+    EXPECT_NEAR(frame[component_n][0], -std::sin(x / 460), 1e-12); // towards the axle
+    EXPECT_NEAR(frame[component_n][2], std::cos(x / 460), 1e-12);
+    EXPECT_NEAR(frame[component_x][2], std::sin(x / 460), 1e-12);
+  }
+}
+
 TEST(SolidSurface, frame_and_places_of_a_wheel) {
   const ContactSurface surface(straight_line(20, true), 460);
   for (const double x : {0.0, 3.0, -2.0, 460 * std::numbers::pi}) {

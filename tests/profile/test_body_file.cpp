@@ -4,7 +4,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 
 namespace bem_contact {
@@ -239,10 +241,19 @@ TEST(BodyFile, the_strip_lies_on_the_body) {
               StartsWith("body.toml:3: body.size = 10.0 (the bore of radius 10 mm does not fit into"));
 }
 
-TEST(BodyFile, an_axle_below_the_contact_surface_is_refused_with_the_way_round_it) {
-  EXPECT_THAT(body_refusal("[body]\nkind='outline'\nreference_radius=-50"),
-              AllOf(StartsWith("body.toml:3: body.reference_radius = -50.0 (an axle below"),
-                    HasSubstr("Turn the outline by half a turn")));
+TEST(BodyFile, a_roller_has_its_axle_below) {
+  const BodyFile straight = parse_body_file("[body]\nkind='rail'"),
+                 roller = parse_body_file("[body]\nkind='rail'\nroller_radius=500"),
+                 outline = parse_body_file("[body]\nkind='outline'\nreference_radius=-50");
+  EXPECT_EQ(reference_radius_of(straight), 0);
+  EXPECT_EQ(reference_radius_of(roller), -500);
+  EXPECT_EQ(reference_radius_of(outline), -50);
+  EXPECT_NEAR(half_period_of(roller), std::numbers::pi * 500, 1e-9);
+  EXPECT_NEAR(half_period_of(outline), std::numbers::pi * 50, 1e-9);
+  EXPECT_NE(mesh_digest(straight, 1), mesh_digest(roller, 1));
+  EXPECT_THAT(body_refusal("[body]\nkind='rail'\nroller_radius=-500"),
+              StartsWith("body.toml:3: body.roller_radius = -500.0 (out of range)"));
+  EXPECT_THAT(body_refusal("[body]\nkind='wheel'\nroller_radius=500"), HasSubstr("only where it is rail"));
 }
 
 TEST(BodyFile, a_key_of_another_kind_of_body_is_refused) {

@@ -132,6 +132,15 @@ TEST(OwnOutline, a_body_of_revolution_keeps_off_its_axle) {
   EXPECT_THAT(outline_refusal(roller("23")),
               AllOf(HasSubstr("part reaches its axle"), // the arc's top is 3 mm higher
                     HasSubstr("Raise [body] reference_radius")));
+  // Turned by half a turn: the axle below.
+  const auto below = [](const std::string& radius) {
+    return toml("{to = [-9, 0]},\n{to = [9, 0], group = 'contact'},\n{to = [9, 20]},\n"
+                "{to = [-9, 20], radius = 15, group = 'held'},\n",
+                "reference_radius = " + radius + "\n");
+  };
+  EXPECT_EQ(outline_refusal(below("-30")), "no error");
+  EXPECT_THAT(outline_refusal(below("-23")),
+              AllOf(HasSubstr("part reaches its axle"), HasSubstr("Lower [body] reference_radius")));
 }
 
 TEST(OwnOutline, wrong_keys_name_their_line) {

@@ -77,7 +77,7 @@ class Program:
                 return f["influence_numbers"][:], float(radius)
 
         with h5py.File(file) as f:
-            reference = float(f.attrs["reference_radius"])
+            reference = abs(float(f.attrs["reference_radius"]))
         numbers, radius = expand(dx)
         if reference == 0:
             return numbers

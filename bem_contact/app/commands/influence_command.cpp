@@ -67,7 +67,7 @@ double middle_of(const InfluenceFunction& f) {
 
 /// Radius at the arc length s; 0 for a prismatic body.
 double radius_at(const InfluenceFunction& f, double s) {
-  return f.invariance == Invariance::revolution ? f.reference_radius + f.nearest_station(s).position.z : 0;
+  return f.invariance == Invariance::revolution ? f.radius_at(f.nearest_station(s).position) : 0;
 }
 
 /// `direction`: +1 if the rows ascend with the body's own s, -1 if they run against it.

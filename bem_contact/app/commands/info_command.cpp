@@ -73,8 +73,9 @@ std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes)
                      f.material.poisson);
   out += f.invariance == Invariance::prismatic
              ? std::string("  the body is the same all along x\n")
-             : fmt::format("  the body is the same all around its axle, reference radius {:g} mm\n",
-                           f.reference_radius);
+             : fmt::format("  the body is the same all around its axle {}, reference radius {:g} mm\n",
+                           f.reference_radius > 0 ? "above the contact" : "below the contact",
+                           std::abs(f.reference_radius));
   out += fmt::format("  held: {}\n  method: {}\n", f.held, f.method);
   out += fmt::format(
       "  strip: {} stations {:g} mm wide, s = {:.3f} .. {:.3f} mm, inclination {:.2f} .. {:.2f} degrees\n",

@@ -48,7 +48,8 @@ void add_outline(Schema& s, BodyFile::Body& body) {
   SchemaTable t(s, "body", {"outline"});
   t.add("name", body.name, "Name of the body and of its contact profile");
   t.add("reference_radius", body.reference_radius,
-        "0: prismatic; else of revolution about an axle this far above z = 0", {.unit = "mm"});
+        "0: prismatic; else of revolution about an axis this far above z = 0, or below it where negative",
+        {.unit = "mm"});
   t.add("outline", outline_of(body),
         "Closed loop of lines and arcs (radius > 0 convex, < 0 concave, at most half a circle), each "
         "from the end of the one before; drawn with y to the right and z down the material is on the "
@@ -79,6 +80,9 @@ void add_body(Schema& s, BodyFile::Body& body) {
   t.add("held", body.held,
         "What is held: rail: foot or web, wheel: bore or rim, block: base or sides; empty: the first",
         {.kinds = {"rail", "wheel", "block"}});
+  t.add("roller_radius", body.roller_radius,
+        "0: a straight rail; else a roller's, of revolution about an axis this far below z = 0",
+        {.unit = "mm", .at_least = 0, .kinds = {"rail"}});
   t.add("radius", body.radius, "Radius of the contact surface",
         {.unit = "mm", .above = 0, .kinds = {"disc", "bore"}});
   t.add("size", body.size, "Half width and depth of the block",
@@ -182,10 +186,6 @@ void cross_check(const BodyFile& f, const Schema& s) {
                          whole));
 
   const auto& body = f.body;
-  if (body.reference_radius < 0)
-    s.refuse("body.reference_radius", "an axle below the contact surface is not served",
-             "Turn the outline by half a turn, (y, z) to (-y, -z), and give the radius above zero: in the "
-             "surface's own frame (x, s, n) the influence numbers are the same.");
   if (f.body.profile.empty())
     s.refuse("body.profile", "the name is empty", "Name a standard profile or a profile file.");
   if (body.kind == BodyKind::bore && !(body.size > body.radius))
@@ -278,11 +278,13 @@ std::vector<std::string> body_warnings(const BodyFile& file) {
 double reference_radius_of(const BodyFile& body) {
   if (body.body.kind == BodyKind::outline)
     return body.body.reference_radius;
+  if (body.body.kind == BodyKind::rail)
+    return -body.body.roller_radius;
   return body.body.kind == BodyKind::wheel ? wheel_reference_radius : 0.0;
 }
 
 double half_period_of(const BodyFile& body) {
-  const double radius = reference_radius_of(body);
+  const double radius = std::abs(reference_radius_of(body));
   return radius > 0 ? std::numbers::pi * radius : body.harmonic.half_period;
 }
 
@@ -300,6 +302,8 @@ std::string mesh_digest(const BodyFile& file, std::uint64_t profile_digest) {
     all += fmt::format(" {} {} {} {}", hole.centre.y, hole.centre.z, hole.radius, name_of(hole.group));
   if (body.graft_at || body.graft_angle)
     all += " grafted there";
+  if (body.roller_radius > 0)
+    all += fmt::format(" roller {}", body.roller_radius);
   Fnv1a hash;
   hash.add(std::as_bytes(std::span(all)));
   return fmt::format("{:016x}", hash.value());

@@ -63,7 +63,10 @@ struct BodyFile {
     double radius = 10;           ///< disc, bore: radius of the contact surface, mm
     double size = 100;            ///< block, bore: half width and depth of the block, mm
     std::string name = "outline"; ///< outline: name of the body and of its contact profile
-    double reference_radius = 0;  ///< outline: 0: prismatic, else of revolution, r = reference_radius + z, mm
+    /// rail: 0: straight, else a roller's: of revolution about an axis so far below z = 0, mm
+    double roller_radius = 0;
+    /// outline: 0: prismatic, > 0: of revolution about an axis so far above z = 0, < 0: below it, mm
+    double reference_radius = 0;
     std::vector<OutlinePiece> outline = {}; ///< walked with the material on the side of e_n (conventions.hpp)
     std::vector<Hole> holes = {};
   } body;
@@ -111,8 +114,10 @@ BodyFile parse_body_file(std::string_view toml, std::string_view source_name = "
 std::vector<std::string> body_warnings(const BodyFile& body);
 /// Radius at which a wheel's angle is measured as a length: x = R_ref theta, r = R_ref + z, mm.
 inline constexpr double wheel_reference_radius = 460.0;
-double reference_radius_of(const BodyFile& body); ///< R_ref, mm; 0 for prismatic bodies
-double half_period_of(const BodyFile& body);      ///< L, mm; pi R_ref for bodies of revolution
+/// R_ref, mm: a body of revolution has r = R_ref + z. Above 0: the axis lies above the contact (a wheel), and
+/// r > 0. Below 0: it lies below (a roller), and r < 0. 0: a prismatic body.
+double reference_radius_of(const BodyFile& body);
+double half_period_of(const BodyFile& body); ///< L, mm; pi |R_ref| for bodies of revolution
 /// Digest of all that a mesh depends on, [body], [strip], [mesh] and the digest of the profile curve: tells
 /// the mesh of one body file from that of another. 16 hexadecimal digits.
 std::string mesh_digest(const BodyFile& body, std::uint64_t profile_digest);

@@ -18,8 +18,8 @@ namespace {
 constexpr double shortest_outline_piece = 1e-6;
 /// 1. An arc's chord may exceed its diameter by so much: a half circle with rounded ends.
 constexpr double half_circle_rounding = 1e-9;
-/// 1. Points of an arc among which its lowest z is looked for. Chosen.
-constexpr int lowest_point_samples = 64;
+/// 1. Points of an arc among which the closest to the axle is looked for. Chosen.
+constexpr int closest_point_samples = 64;
 
 std::string text(Point2 p) {
   return fmt::format("({:.6g}, {:.6g})", p.y, p.z);
@@ -103,12 +103,16 @@ double area_within(const std::vector<OwnOutline::Piece>& pieces) {
   return twice / 2;
 }
 
-/// Lowest z of a piece: an end, or the highest point of an arc that stands above both.
-double least_z(const SectionPiece& shape) {
-  double least = std::min(shape.from.z, shape.to.z);
+/// Least distance of a piece from the axis at z = -reference_radius, < 0 beyond it: that of an end, or of the
+/// point of an arc that comes closer than both.
+double least_radius(const SectionPiece& shape, double reference_radius) {
+  const auto radius = [&](Point2 p) {
+    return std::copysign(1.0, reference_radius) * (reference_radius + p.z);
+  };
+  double least = std::min(radius(shape.from), radius(shape.to));
   const CurvePiece curve = curve_of(shape);
-  for (int i = 1; i < lowest_point_samples; ++i)
-    least = std::min(least, point_on(curve, curve.length * i / lowest_point_samples).position.z);
+  for (int i = 1; i < closest_point_samples; ++i)
+    least = std::min(least, radius(point_on(curve, curve.length * i / closest_point_samples).position));
   return least;
 }
 
@@ -129,10 +133,14 @@ OwnOutline own_outline(const BodyFile::Body& body) {
                      "drawn with y to the right and z down the material must be on the right hand",
                      "Reverse the order of the pieces and the signs of their radii.");
   for (const auto& piece : pieces)
-    if (const double r = body.reference_radius + least_z(piece.shape); body.reference_radius > 0 && !(r > 0))
-      throw InputError(fmt::format("{} reaches its axle", body.name),
-                       fmt::format("at a radius of {:.6g} mm: reference_radius + z", r),
-                       "Raise [body] reference_radius or leave a bore around the axle.");
+    if (const double r = least_radius(piece.shape, body.reference_radius);
+        body.reference_radius != 0 && !(r > 0))
+      throw InputError(
+          fmt::format("{} reaches its axle", body.name),
+          fmt::format("at a radius of {:.6g} mm: the axle is at z = {:g} mm", r, -body.reference_radius),
+          body.reference_radius > 0
+              ? "Raise [body] reference_radius or leave a bore around the axle."
+              : "Lower [body] reference_radius (the axle lies below) or leave a bore around it.");
   return outline;
 }
 

@@ -15,7 +15,8 @@ struct Radial {
   /// Adds the integral of u_r / R to A_xj of that row; A_sj and A_nj are `sign` times these.
   void add_to(std::span<double> line, std::span<const double> of_s, std::span<const double> of_n,
               double sign) const {
-    // The wheel's own frame is the contact frame turned by pi about x (base/conventions.hpp).
+    // Outwards is -e_n at inclination 0: on a roller; and on a wheel, whose own frame is the contact frame
+    // turned by pi about x (base/conventions.hpp).
     const double along_s = -std::sin(inclination), along_n = -std::cos(inclination);
     double sum = 0, before = 0;
     for (std::size_t m = 0; m < line.size(); ++m) {
@@ -111,6 +112,22 @@ void add_wheel(NumberLines& wheel, std::span<const double> inclination, double r
   const std::size_t table = 9 * static_cast<std::size_t>(pair.rows) * static_cast<std::size_t>(pair.rows);
   add_lines(additions(wheel, along_x, pair), static_cast<std::size_t>(wheel.offsets()), table,
             pair.values.data());
+}
+
+void add_radial_displacement(std::span<const double> inclination, double radius, InfluenceNumbers& roller) {
+  const auto offsets = static_cast<std::size_t>(roller.offsets);
+  std::vector<double> x(offsets), s(offsets), n(offsets);
+  for (const auto& [row_i, row_j] : roller.stored_rows())
+    for (int j = 0; j < 3; ++j) {
+      for (int m = 0; m < roller.offsets; ++m) {
+        x[m] = roller.at(m, row_i, component_x, row_j, j);
+        s[m] = roller.at(m, row_i, component_s, row_j, j);
+        n[m] = roller.at(m, row_i, component_n, row_j, j);
+      }
+      Radial{inclination[row_i], 0.5 * roller.dx / radius}.add_to(x, s, n, 1);
+      for (int m = 0; m < roller.offsets; ++m)
+        roller.at(m, row_i, component_x, row_j, j) = x[m];
+    }
 }
 
 } // namespace bem_contact

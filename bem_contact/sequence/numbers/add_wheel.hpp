@@ -24,4 +24,8 @@ namespace bem_contact {
 void add_wheel(NumberLines& wheel, std::span<const double> inclination, double radius,
                InfluenceNumbers& pair);
 
+/// Adds to a roller's own numbers what its radial displacement does to steady rolling, as add_wheel() does
+/// for the wheel. `inclination`: of each row against the roller's axis, rad. `radius`: of the roller, mm.
+void add_radial_displacement(std::span<const double> inclination, double radius, InfluenceNumbers& roller);
+
 } // namespace bem_contact

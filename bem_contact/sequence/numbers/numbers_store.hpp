@@ -22,7 +22,8 @@ struct NumbersSource {
   double dx = 0, ds = 0;               ///< mm; dx 0: plane strain
   double reference_distance = 0;       ///< of plane strain, mm
   std::vector<double> rail_s, wheel_s; ///< stations of the rows where influence functions are taken, mm
-  double contact_radius = 0;           ///< mm
+  double contact_radius = 0;           ///< of the wheel, mm
+  double roller_contact_radius = 0;    ///< of the rail, mm; 0: straight
   /// This is the inclination of the rows against the wheel's axle, rad, where the wheel's radial displacement
   /// is added.
   std::vector<double> inclination;

@@ -40,7 +40,7 @@ bool inside(const std::shared_ptr<InfluenceFile>& file, double s, double ds) {
 }
 
 ExpandOptions options_of(const InfluenceStrip& strip, const Body& body, const ContactOnGrid& contact,
-                         NumbersParts* known, int threads) {
+                         double contact_radius, NumbersParts* known, int threads) {
   const ContactGrid& grid = contact.problem.grid;
   const bool plane_strain = contact.problem.plane_strain();
   ExpandOptions options;
@@ -49,8 +49,23 @@ ExpandOptions options_of(const InfluenceStrip& strip, const Body& body, const Co
   options.structural = body.structural;
   options.series = known ? &known->series : nullptr;
   options.threads = threads;
-  options.contact_radius = strip.invariance == Invariance::revolution ? contact.contact_radius : 0.0;
+  options.contact_radius = strip.invariance == Invariance::revolution ? contact_radius : 0.0;
   return options;
+}
+
+/// Steady rolling of turning bodies, where points of a surface that have moved off the axis are faster.
+bool slips_with_radial_displacement(const ContactSetup& setup) {
+  const Motion& motion = setup.motion;
+  return setup.wheel_rail() && motion.tangential && motion.kind == MotionKind::steady &&
+         motion.radial_displacement;
+}
+
+/// Of each row against an axis that is turned by `axis` from y of the track, rad.
+std::vector<double> inclinations(const std::vector<ContactRow>& rows, double axis) {
+  std::vector<double> all;
+  for (const ContactRow& row : rows)
+    all.push_back(row.delta - axis);
+  return all;
 }
 
 /// The function where rows at these arc lengths need it.
@@ -58,14 +73,22 @@ const InfluenceFunction& function_at(InfluenceFile& file, const std::vector<doub
   return file.around(halfspace::stations_under(file.strip(), row_s));
 }
 
-InfluenceNumbers rail_numbers(const std::shared_ptr<InfluenceFile>& file, const Body& body,
+InfluenceNumbers rail_numbers(const std::shared_ptr<InfluenceFile>& file, const ContactSetup& setup,
                               const ContactOnGrid& contact, NumbersParts* known, int threads) {
   const ContactGrid& grid = contact.problem.grid;
+  const Body& body = setup.rail;
+  const double radius = contact.roller_contact_radius;
   const auto compute = [&] {
     return halfspace::resample(function_at(*file, contact.rail_s),
-                               options_of(file->strip(), body, contact, known, threads), contact.rail_s,
-                               grid.ds, known ? &known->lines : nullptr);
+                               options_of(file->strip(), body, contact, radius, known, threads),
+                               contact.rail_s, grid.ds, known ? &known->lines : nullptr);
   };
+  if (radius > 0) {
+    InfluenceNumbers numbers = compute();
+    if (slips_with_radial_displacement(setup))
+      add_radial_displacement(inclinations(contact.problem.rows, 0), radius, numbers);
+    return numbers;
+  }
   if (!known || contact.problem.plane_strain() || file->strip().invariance == Invariance::revolution)
     return compute();
   return known->rail.get({file, body.structural, grid.dx, grid.ds}, contact.rail_s, grid.mx + 2, compute);
@@ -160,24 +183,20 @@ InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, con
     require_turn(files.rail->strip(), contact, contact.rail_s, rail_turn_tolerance);
     require_turn(files.wheel->strip(), contact, contact.wheel_s, wheel_turn_tolerance);
   }
-  InfluenceNumbers pair = rail_numbers(files.rail, setup.rail, contact, known, threads);
+  InfluenceNumbers pair = rail_numbers(files.rail, setup, contact, known, threads);
   const std::vector<double> inclination = radial_inclination(setup, contact.problem.rows);
   halfspace::resample_lines(
       function_at(*files.wheel, contact.wheel_s),
-      options_of(files.wheel->strip(), setup.wheel, contact, known, threads), contact.wheel_s, pair.ds,
+      options_of(files.wheel->strip(), setup.wheel, contact, contact.contact_radius, known, threads),
+      contact.wheel_s, pair.ds,
       [&](NumberLines& lines) { add_wheel(lines, inclination, contact.contact_radius, pair); },
       known ? &known->lines : nullptr);
   return pair;
 }
 
 std::vector<double> radial_inclination(const ContactSetup& setup, const std::vector<ContactRow>& rows) {
-  const Motion& motion = setup.motion;
-  std::vector<double> inclination;
-  if (const WheelRailGeometry* placed = setup.wheel_rail();
-      placed && motion.tangential && motion.kind == MotionKind::steady && motion.radial_displacement)
-    for (const ContactRow& row : rows)
-      inclination.push_back(row.delta - placed->pair.wheel_pose.angle);
-  return inclination;
+  return slips_with_radial_displacement(setup) ? inclinations(rows, setup.wheel_rail()->pair.wheel_pose.angle)
+                                               : std::vector<double>{};
 }
 
 void require_strips(const PairFiles& files, double ds, const std::vector<double>& rail_s,

@@ -14,8 +14,12 @@ namespace bem_contact {
 
 namespace {
 
-/// 1. Share of the wheel radius by which that of an influence file may differ.
+/// 1. Share of the wheel's or roller's radius by which that of an influence file may differ.
 constexpr double radius_tolerance = 0.01;
+/// rad. An influence file's roller has its axis parallel to y of its own section, and so it cannot be
+/// inclined. Inclined by as much, its radius differs over a head 70 mm wide by .7 % of 500 mm, within the
+/// tolerance of radii. An inclination of 1:20 is less.
+constexpr double largest_roller_inclination = 0.051;
 
 void require_radius(const InfluenceStrip& wheel, double wheel_radius) {
   if (wheel.invariance == Invariance::revolution &&
@@ -26,12 +30,39 @@ void require_radius(const InfluenceStrip& wheel, double wheel_radius) {
                      "Compute influence functions of this wheel, or correct the radius.");
 }
 
+/// How far the axis of a rail lies below the origin of its section, in words.
+std::string axis_in_words(double below) {
+  if (below == 0)
+    return "a straight rail";
+  return fmt::format("a body whose axis lies {:.6g} mm {} the origin of its profile", std::abs(below),
+                     below > 0 ? "below" : "above");
+}
+
+/// The file and the scene have the same roller, or both a straight rail.
+void require_roller(const InfluenceStrip& rail, const WheelOnRail& pair) {
+  const double of_file = rail.invariance == Invariance::revolution ? -rail.reference_radius : 0;
+  const double asked = pair.roller ? pair.roller->radius(pair.rail_pose.origin) : 0;
+  if (std::abs(of_file - asked) > radius_tolerance * asked)
+    throw InputError(
+        fmt::format("The influence functions of '{}' do not belong to this rail", rail.body),
+        fmt::format("they are for {}, and the scene has {}", axis_in_words(of_file), axis_in_words(asked)),
+        "Compute influence functions with this body.roller_radius, or correct rail.roller_radius.");
+  if (asked > 0 && std::abs(pair.rail_pose.angle) > largest_roller_inclination)
+    throw InputError(fmt::format("The influence functions of '{}' do not belong to this roller", rail.body),
+                     fmt::format("the roller's axis is parallel to y of its section, and the scene turns the "
+                                 "section by {:.3g} rad against its axis, at most {:g} are taken",
+                                 pair.rail_pose.angle, largest_roller_inclination),
+                     "Give the profile as it stands on its roller, without an inclination.");
+}
+
 /// Throws InputError where the influence files are of other bodies than those that are placed.
 void require_bodies(const PairFiles& files, const WheelOnRail& pair, bool own_shape) {
   if (files.rail && own_shape)
     require_profile(files.rail->strip(), pair.rail.name(), pair.rail.digest());
   if (files.wheel && own_shape)
     require_profile(files.wheel->strip(), pair.wheel.name(), pair.wheel.digest());
+  if (files.rail)
+    require_roller(files.rail->strip(), pair);
   if (files.wheel)
     require_radius(files.wheel->strip(), pair.wheel_radius);
 }
