@@ -34,7 +34,7 @@ const askNext = async () => {
   worker.postMessage({what, question: JSON.stringify(question)});
 };
 
-/// What is answered to a question, as a Response; throws where nobody answers. `what`: "answer", "scene", "result" or "report".
+/// What is answered to a question, as a Response; throws where nobody answers. `what`: a name of all_asked (answers.hpp).
 const replyTo = async (what, question) => {
   if (needsFiles(question))
     await loadFiles();

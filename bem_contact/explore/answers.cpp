@@ -2,16 +2,20 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/said_by.hpp"
+#include "bem_contact/base/sha256.hpp"
 #include "bem_contact/base/stopped.hpp"
+#include "bem_contact/explore/bodies.hpp"
 #include "bem_contact/explore/settings.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/json.hpp"
 #include "bem_contact/report/report_page.hpp"
+#include "bem_contact/scene/absolute_names.hpp"
 #include "bem_contact/sequence/result_file.hpp"
 #include "bem_contact/sequence/result_record.hpp"
 
 #include <algorithm>
 #include <array>
+#include <fmt/format.h>
 #include <new>
 #include <nlohmann/json.hpp>
 
@@ -24,6 +28,9 @@ using record::Record;
 constexpr const char* json_type = "application/json";
 constexpr const char* page_type = "text/html; charset=utf-8";
 constexpr const char* text_type = "text/plain; charset=utf-8";
+constexpr const char* no_computer =
+    "This page computes no influence functions (it has no finite elements) Save the bodies, and give "
+    "the commands below, or open the scene with bem_contact explore.";
 
 Reply problem(const char* kind, const std::string& message) {
   const nlohmann::json said{{"problem", {{"kind", kind}, {"message", message}}}};
@@ -121,6 +128,68 @@ Reply Answers::report(const std::string& question) {
     const SceneResult result = solve(asked, cold, newest(asked.window));
     return Reply{page_type, report::page_of_record(file_of(asked, result), "explored.h5")};
   });
+}
+
+/// Solved by the half-space: it says where the strips must lie, and how fine.
+std::vector<NamedBody> Answers::named_bodies(const Question& question) {
+  Question asked = question;
+  for (const char* side : {"rail", "wheel"})
+    asked.changes.push_back({fmt::format("{}.influence", side), std::string()});
+  asked.changes.push_back({"solver.model", std::string(name_of(Model::halfspace))});
+  Sequence cold;
+  const SceneResult solved = solve(asked, cold, newest(question.window));
+  const SceneFile scene = scenes_.scene(asked);
+  std::vector<NamedBody> out;
+  for (const BodyToCompute& body : bodies_of(scene, solved)) {
+    const std::string toml = with_absolute_names({body.toml, body.side, scene.folder});
+    constexpr std::size_t digits = 8; // enough to tell the bodies of a day
+    out.push_back(
+        {body.side, fmt::format("{}_{}", body.side, sha256(toml).substr(0, digits)), body.toml, toml});
+  }
+  return out;
+}
+
+Reply Answers::bodies(const std::string& question) {
+  return replied(question, [&](const Question& asked) {
+    auto list = nlohmann::json::array();
+    for (const NamedBody& body : named_bodies(asked))
+      list.push_back(
+          {{"side", body.side}, {"name", body.name}, {"text", scenes_.in_plain_names(body.shown)}});
+    return Reply{json_type, nlohmann::json{{"bodies", list}}.dump()};
+  });
+}
+
+Reply Answers::compute(const std::string& question) {
+  return replied(question, [&](const Question& asked) {
+    if (!computer_)
+      throw InputError(no_computer);
+    computer_->start(named_bodies(asked));
+    return computing("");
+  });
+}
+
+Reply Answers::computing(const std::string& /*question*/) {
+  const Computed now = computer_ ? computer_->now() : Computed{};
+  constexpr std::array stages{"idle", "running", "done", "failed", "cancelled"};
+  auto changes = nlohmann::json::object();
+  if (now.stage == Computed::Stage::done)
+    for (const NamedBody& body : now.bodies) {
+      const std::string name = body.name + ".h5";
+      scenes_.hold(name, body.influence);
+      changes[body.side + ".influence"] = name;
+    }
+  const nlohmann::json said{{"stage", stages.at(static_cast<std::size_t>(now.stage))},
+                            {"what", scenes_.in_plain_names(now.what)},
+                            {"share", now.share},
+                            {"missing", computer_ ? computer_->missing() : no_computer},
+                            {"changes", changes}};
+  return {json_type, said.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
+}
+
+Reply Answers::cancel(const std::string& question) {
+  if (computer_)
+    computer_->cancel();
+  return computing(question);
 }
 
 void Answers::end() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/explore/asked_scenes.hpp"
+#include "bem_contact/explore/computer.hpp"
 #include "bem_contact/explore/server.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
@@ -20,7 +21,8 @@ namespace bem_contact::explore {
 /// ask at once.
 class Answers {
 public:
-  explicit Answers(const Start& start) : scenes_(start) {}
+  /// `computer`: of influence functions; null: this page has none.
+  explicit Answers(const Start& start, Computer* computer = nullptr) : scenes_(start), computer_(computer) {}
 
   /// The result of the scene, as JSON for the page (record/json.hpp).
   Reply answer(const std::string& question);
@@ -30,6 +32,16 @@ public:
   Reply result(const std::string& question);
   /// The page of bem_contact report.
   Reply report(const std::string& question);
+  /// Body files for the influence functions of the scene: {"bodies": [{"side", "name", "text"}]}.
+  Reply bodies(const std::string& question);
+  /// Begins to compute these. Replies as computing() does.
+  Reply compute(const std::string& question);
+  /// How far they are: {"stage": "idle", "running", "done", "failed" or "cancelled", "what", "share",
+  /// "missing", "changes"}. "changes" are those of a scene that takes them, once they are done. The question
+  /// may be {}.
+  Reply computing(const std::string& question);
+  /// Ends the computation. Replies as computing() does.
+  Reply cancel(const std::string& question);
 
   /// Ends the solution that is under way, and answers nothing more.
   void end();
@@ -39,10 +51,12 @@ private:
 
   SceneResult solve(const Question& question, Sequence& sequence, const Stop& stop);
   record::Record file_of(const Question& question, const SceneResult& result);
+  std::vector<NamedBody> named_bodies(const Question& question);
   Stop newest(const std::string& window);
   template <class Answer> Reply replied(const std::string& question, const Answer& answer);
 
   AskedScenes scenes_;
+  Computer* computer_;
   Sequence sequence_;
   std::mutex solving_;                              ///< held by whoever uses the processor
   std::mutex counting_;                             ///< held for the members below
@@ -55,7 +69,10 @@ struct Asked {
   std::string_view name;
   Reply (Answers::*reply)(const std::string& question);
 };
-inline constexpr std::array all_asked{Asked{"answer", &Answers::answer}, Asked{"scene", &Answers::scene},
-                                      Asked{"result", &Answers::result}, Asked{"report", &Answers::report}};
+inline constexpr std::array all_asked{
+    Asked{"answer", &Answers::answer},       Asked{"scene", &Answers::scene},
+    Asked{"result", &Answers::result},       Asked{"report", &Answers::report},
+    Asked{"bodies", &Answers::bodies},       Asked{"compute", &Answers::compute},
+    Asked{"computing", &Answers::computing}, Asked{"cancel", &Answers::cancel}};
 
 } // namespace bem_contact::explore

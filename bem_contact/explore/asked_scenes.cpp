@@ -92,6 +92,17 @@ fs::path AskedScenes::copy_of(const std::string& name, const std::string& conten
   return copies_ / place;
 }
 
+void AskedScenes::hold(const std::string& name, const fs::path& file) {
+  const std::scoped_lock lock(writing_);
+  ours_[name] = file;
+}
+
+std::optional<fs::path> AskedScenes::of_ours(const std::string& name) {
+  const std::scoped_lock lock(writing_);
+  const auto found = ours_.find(name);
+  return found == ours_.end() ? std::nullopt : std::optional(found->second);
+}
+
 void AskedScenes::require_readable(const NamedFile& file) const {
   if (!readable_.contains(plain(file.file)))
     throw InputError(
@@ -113,6 +124,8 @@ SceneFile AskedScenes::scene(const Question& question) {
       continue;
     if (const auto held = question.files.find(name); held != question.files.end())
       reader.set({named.key, copy_of(name, held->second).string() + named.name.substr(name.size())});
+    else if (const auto own = of_ours(name))
+      reader.set({named.key, own->string()});
     else
       require_readable(named);
   }
@@ -137,6 +150,10 @@ std::string AskedScenes::in_plain_names(std::string message) const {
   constexpr std::size_t digest = 17; // copy_of(), with the slash
   for (std::size_t at = 0; (at = message.find(folder, at)) != std::string::npos;)
     message.erase(at, folder.size() + digest);
+  const std::scoped_lock lock(writing_);
+  for (const auto& [name, file] : ours_)
+    for (std::size_t at = 0; (at = message.find(file.string(), at)) != std::string::npos;)
+      message.replace(at, file.string().size(), name);
   return message;
 }
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -35,20 +36,24 @@ public:
   SceneFile scene(const Question& question);
   /// To be kept: the text with its changes, and names as the text has them.
   GivenScene given(const Question& question);
+  /// From now on a scene may name this file of ours.
+  void hold(const std::string& name, const std::filesystem::path& file);
   /// What a message says, without the folder of copies.
   std::string in_plain_names(std::string message) const;
 
 private:
   std::filesystem::path copy_of(const std::string& name, const std::string& content);
   void require_readable(const NamedFile& file) const;
+  std::optional<std::filesystem::path> of_ours(const std::string& name);
   SceneText text_of(const Question& question) const;
 
   std::string source_;
   std::filesystem::path folder_;             ///< where relative paths of scenes start
   std::set<std::filesystem::path> readable_; ///< in the form of plain()
   TemporaryFolder copies_;
-  std::set<std::filesystem::path> written_; ///< of the copies
-  std::mutex writing_;
+  std::set<std::filesystem::path> written_;           ///< of the copies
+  std::map<std::string, std::filesystem::path> ours_; ///< by the names of hold()
+  mutable std::mutex writing_;
 };
 
 } // namespace bem_contact::explore

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/explore/answers.hpp"
+#include "bem_contact/explore/computer.hpp"
 #include "bem_contact/explore/explore_page.hpp"
 #include "bem_contact/explore/server.hpp"
 
@@ -82,7 +83,8 @@ void show_in_browser(const std::string& address) {
 } // namespace
 
 void explore(const Start& start, const ExploreOptions& options) {
-  Answers answers(start);
+  const std::unique_ptr<Computer> computer = program_computer();
+  Answers answers(start, computer.get());
   std::vector<Route> routes;
   for (const Asked& one : all_asked)
     routes.push_back({std::string(one.name), [&answers, reply = one.reply](const std::string& question) {

@@ -230,7 +230,7 @@ const saveSweep = async () => {
 const showCommands = () => {
   const changed = Object.keys(scene.changes).length > 0 || scene.text !== start.scene.text || start.name === "the first scene";
   const file = changed ? "explored.toml" : start.name.replace(/^the scene of '(.*)'$/, "$1");
-  const lines = [`bem_contact solve ${file} -o explored.h5`, "bem_contact report explored.h5 -o explored.html"];
+  const lines = [...bodyCommands(), `bem_contact solve ${file} -o explored.h5`, "bem_contact report explored.h5 -o explored.html"];
   if (sweep.cases.length)
     lines.push("bem_contact sweep explored_sweep.toml -o explored_sweep.h5");
   if (held && held.scene.text === scene.text && Object.keys({...held.scene.changes, ...scene.changes})
@@ -340,6 +340,7 @@ const begin = async () => {
   addControls(element("controls"));
   addHeldPanel(element("held"));
   offerSweep = addSweepPanel(element("sweep"));
+  addBodiesPanel(element("bodies"));
   addSavePanel(element("save"));
   takeDrops();
   add("p", "x is the direction of rolling, y points to the right (left wheel: to the left), z down; s runs along the rail's profile, n into the rail. " +

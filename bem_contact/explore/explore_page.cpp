@@ -9,7 +9,7 @@
 // embedded.S; each ends with a NUL.
 extern "C" {
 extern const char explore_explore_html[], explore_explore_css[], explore_reply_js[], explore_answer_js[],
-    explore_controls_js[], explore_sweep_js[], explore_explore_js[];
+    explore_controls_js[], explore_sweep_js[], explore_bodies_js[], explore_explore_js[];
 }
 
 namespace bem_contact::explore {
@@ -46,7 +46,7 @@ std::string explore_page(const Start& start) {
                   {"folder", start.scene.folder.string()},
                   {"models", models()}};
   const std::string script = std::string(explore_reply_js) + explore_answer_js + explore_controls_js +
-                             explore_sweep_js + explore_explore_js;
+                             explore_sweep_js + explore_bodies_js + explore_explore_js;
   return report::page_with_figures(
       {.html = explore_explore_html, .style = explore_explore_css, .script = script},
       data.dump(-1, ' ', false, json::error_handler_t::replace));

@@ -2,6 +2,6 @@
 const NOTE = "";
 const SILENT = "The program does not answer (it was ended, or this machine has lost it) Start bem_contact explore again.";
 
-/// What is answered to a question, as a Response; throws where nobody answers. `what`: "answer", "scene", "result" or "report".
+/// What is answered to a question, as a Response; throws where nobody answers. `what`: a name of all_asked (answers.hpp).
 const replyTo = (what, question) => fetch(what, {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(question)});
 

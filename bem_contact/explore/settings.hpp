@@ -14,6 +14,13 @@ inline constexpr std::size_t largest_request = std::size_t(16) << 20;
 inline constexpr std::size_t most_connections = 24;
 inline constexpr std::chrono::seconds keep_open{5}; ///< how long a connection waits for its next request
 
+/// mm. Room of a strip of influence functions beyond the contact by the half-space, on either side: finite
+/// elements and friction move the contact by less, and a slider may be moved a little. Chosen.
+inline constexpr double strip_room = 2.0;
+/// 1. Error of these influence numbers that is asked for: that of the coarse bodies of data/bodies, with
+/// which the pressure is off by less than 0.1 %, and two bodies take a minute.
+inline constexpr double body_tolerance = 1e-2;
+
 /// Windows whose newest question is remembered, so that it can replace the one before. Chosen.
 inline constexpr std::size_t most_windows = 64;
 

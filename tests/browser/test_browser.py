@@ -95,6 +95,12 @@ class Page(unittest.TestCase):
         self.assertIn("bem_contact", self.show.value("element('notes').innerText"))
         self.assertEqual([r for r in self.show.requests if not r.startswith((f"file://{PAGE.parent}/", "data:", "blob:"))], [])
 
+    def test_influence_functions_need_the_program(self):
+        self.until("element('compute').disabled")
+        self.assertIn("bem_contact explore", self.show.value("element('compute-note').innerText"))
+        self.show.value("element('save-bodies').click()")
+        self.until("element('body-commands').innerText.includes('mesh_body rail_')")
+
     def test_the_figures_are_those_of_the_program(self):
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name) / "scenes"

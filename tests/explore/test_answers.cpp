@@ -1,4 +1,5 @@
 #include "bem_contact/explore/answers.hpp"
+#include "bem_contact/profile/bodies/body_file.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -114,6 +115,42 @@ TEST(Answers, TakeProfilesThatAreDropped) {
   const std::string file = answers.result(question.dump()).body;
   EXPECT_TRUE(file.starts_with("\x89HDF"));
   EXPECT_THAT(answers.scene(question.dump()).body, HasSubstr("rail.profile = \"mine.txt\""));
+}
+
+/// The strips hold the contact, and the files name what the page names.
+TEST(Answers, HaveBodyFilesForInfluenceFunctions) {
+  Answers answers(Start{.scene = {small}});
+  const json changes{{"rail.profile", "mine.txt"},    {"position.lateral", 2.0},      {"solver.model", "fem"},
+                     {"rail.influence", "gone.h5"},   {"wheel.influence", "gone.h5"}, {"rail.smoothing", 4.0},
+                     {"wheel.material.poisson", 0.25}};
+  const json question{{"text", small}, {"changes", changes}, {"files", {{"mine.txt", rail_points()}}}};
+  const json bodies = json::parse(answers.bodies(question.dump()).body).at("bodies");
+  ASSERT_EQ(bodies.size(), 2U);
+  const BodyFile rail = parse_body_file(bodies[0]["text"].get<std::string>()),
+                 wheel = parse_body_file(bodies[1]["text"].get<std::string>());
+  EXPECT_EQ(rail.body.kind, BodyKind::rail);
+  EXPECT_EQ(rail.body.profile, "mine.txt");
+  EXPECT_EQ(rail.body.reading.smoothing, 4);
+  EXPECT_EQ(wheel.body.kind, BodyKind::wheel);
+  EXPECT_EQ(wheel.body.profile, "S1002");
+  EXPECT_EQ(wheel.material.poisson, 0.25);
+  EXPECT_LE(rail.strip.station_width, 1);
+  EXPECT_EQ(rail.harmonic.shortest_dx, 1);
+  json plain = changes;
+  plain.erase("rail.influence"), plain.erase("wheel.influence"), plain["solver.model"] = "halfspace";
+  const json solved = answer_of(answers, small, plain, question["files"]);
+  const json patches = solved.at("data").at("patches");
+  for (const auto& [body, s] : {std::pair{&rail, "s"}, {&wheel, "wheel_s"}})
+    for (const double place : patches.at(s).at("values")) {
+      EXPECT_GT(place, body->strip.from + 2) << s;
+      EXPECT_LT(place, body->strip.to - 2) << s;
+    }
+  const json other{{"text", small}, {"changes", {{"position.lateral", -2.0}}}};
+  EXPECT_NE(json::parse(answers.bodies(other.dump()).body)["bodies"][0]["name"], bodies[0]["name"]);
+  const json big{{"text", small}, {"changes", {{"position.wheel_radius", 500.0}}}};
+  EXPECT_THAT(answers.bodies(big.dump()).body, HasSubstr("position.wheel_radius is 500 mm"));
+  EXPECT_THAT(answers.compute(other.dump()).body, HasSubstr("no finite elements"));
+  EXPECT_THAT(answers.computing("{}").body, HasSubstr("\"stage\":\"idle\""));
 }
 
 TEST(Answers, ANewerQuestionOfAWindowReplacesTheOneBefore) {

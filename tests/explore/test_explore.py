@@ -15,6 +15,7 @@ from pathlib import Path
 import browser
 
 ROOT = Path(__file__).resolve().parents[2]
+HAS_FEM = (Path(os.environ["BEM_CONTACT"]).parent / "fem_influence").exists()
 LOOK = (ROOT / "tests" / "report" / "look.js").read_text()
 SCENE = """# a comment that stays
 rail.profile = "60E1"
@@ -79,6 +80,10 @@ class Requests(unittest.TestCase):
         as_json = {"Content-Type": "application/json"}
         self.assertEqual(p.request()[0].status, 200)
         self.assertEqual(p.request("HEAD")[0].status, 200)
+        for what in ("computing", "cancel"):
+            self.assertEqual(p.request("POST", p.path + what, "{}", as_json)[0].status, 200)
+            self.assertEqual(p.request("POST", p.path + what, "{}", {**as_json, "Origin": "http://evil.example"})[0].status, 403)
+            self.assertEqual(p.request("GET", p.path + what)[0].status, 404)
         self.assertEqual(p.request("POST", p.path + "answer", question, {**as_json, "Origin": f"http://{p.host}"})[0].status, 200)
         port = p.host.split(":")[1]
         for status, more in ((404, {"path": "/"}), (404, {"path": "/" + "0" * 32 + "/"}), (404, {"path": p.path[:-2] + "/"}),
@@ -367,6 +372,45 @@ class Page(unittest.TestCase):
                 time.sleep(0.1)
             self.assertTrue((self.folder / name).exists(), name)
         self.assertIn("# a comment that stays", (self.folder / "explored.toml").read_text())
+
+    @unittest.skipUnless(HAS_FEM, "this build has no fem_influence")
+    def test_influence_functions_on_a_button(self):
+        self.set_up("newScene(%s)" % json.dumps(SCENE.replace("0.8", "1.5")))  # fewer stations
+        self.move("position.lateral", 2)
+        pressure = self.number("pmax")
+        self.show.call("Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(self.folder)})
+        self.show.value("element('save-bodies').click()")
+        self.until("!element('body-commands').hidden")
+        names = re.findall(r"mesh_body (\w+)\.toml", self.show.value("element('body-commands').innerText"))
+        self.assertEqual([name.split("_")[0] for name in names], ["rail", "wheel"])
+        self.show.value("delete document.body.dataset.drawn; element('compute').click()")
+        self.until("element('compute').innerText === 'Cancel'")
+        self.until("element('compute').innerText !== 'Cancel'")
+        self.assertEqual(self.show.value("element('compute-note').innerText"), "The influence functions are there.")
+        self.until("document.body.dataset.drawn && !waiting && since === undefined")
+        self.assertIn("Model: finite-element influence functions", self.show.value("element('status').innerText"))
+        self.assertNotAlmostEqual(self.number("pmax"), pressure, delta=1e-4 * pressure)
+        self.assertAlmostEqual(self.number("pmax"), pressure, delta=0.1 * pressure)
+        self.assertEqual(self.show.value("scene.changes['rail.influence']"), f"{names[0]}.h5")
+        self.assertIn(f"fem_influence {names[1]}.toml {names[1]}.msh -o {names[1]}.h5", self.show.value("element('commands').innerText"))
+        self.show.value("moved('position.lateral', 6.5)")  # beyond the strips
+        self.until("element('problem').innerText.includes('strip')")
+        self.set_up("document.querySelector('#problem button').click()")
+        # Another contact takes its time, and can be cancelled.
+        self.set_up("(e => { e.value = 'halfspace'; e.dispatchEvent(new Event('change')); })(element('solver-model'))")
+        self.move("position.lateral", -1)
+        self.show.value("element('compute').click()")
+        self.until("element('compute').innerText === 'Cancel'")
+        self.show.value("element('compute').click()")
+        self.until("element('compute-note').innerText === 'Cancelled.'")
+        self.assertIn("half-space", self.show.value("element('status').innerText"))
+
+    @unittest.skipIf(HAS_FEM, "this build has fem_influence")
+    def test_without_finite_elements_the_button_says_so(self):
+        self.until("element('compute').disabled")
+        self.assertIn("tools/install_packages full", self.show.value("element('compute-note').innerText"))
+        self.show.value("element('save-bodies').click()")
+        self.until("element('body-commands').innerText.includes('mesh_body rail_')")
 
     def test_narrow_and_paper(self):
         picture = self.folder / "page.png"

@@ -24,7 +24,8 @@ place; turn them with the mouse. Move a slider, and the contact is solved again.
 slider, and saves the scene, the result, a page, CSV and pictures. It shows the command that does what is on the screen.
 
 Without a file it begins with an S1002 wheel on a 60E1 rail. Of a result (HDF5) it takes the scene with the profiles that
-the file keeps. Finite elements can be chosen where the scene names influence files.
+the file keeps. Finite elements can be chosen where the scene names influence files. A button computes influence functions
+for the contact on the screen, where mesh_body and fem_influence are installed.
 
 Only this machine reaches the page, and only with the address that was printed. It reads the files that the scene names and
 profiles that you drop on the page, and writes none: the browser saves what you ask for. Ctrl-C ends it.)";
