@@ -18,7 +18,8 @@ namespace bem_contact {
 
 namespace {
 
-/// How long a lock is waited for: processes that a killed run has started end within this, and hold it till then.
+/// How long a lock is waited for: processes that a killed run has started end within this, and hold it till
+/// then.
 constexpr std::chrono::milliseconds longest_wait{1000};
 constexpr std::chrono::milliseconds between_tries{20};
 
