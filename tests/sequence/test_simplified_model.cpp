@@ -109,6 +109,34 @@ TEST(SimplifiedModel, RefusesWhatItIsNotFor) {
   EXPECT_THAT(refusal("friction = 0.3\nkinetic_friction = 0.2\nxi = 1e-3"), HasSubstr("Coulomb"));
 }
 
+/// Friction that falls with slip: where everything slips, it is the law's at the creepage; before, it is
+/// beside the half-space's as it is without a fall. On very small elements friction would jump.
+TEST(SimplifiedModel, FrictionFallsWithSlip) {
+  const double speed = 1e4, most = 0.33, least = 0.14, half = 1250;
+  const auto law = [&](double xi) { return least + (most - least) * std::exp2(-xi * speed / half); };
+  const std::string falling =
+      fmt::format("friction = {}\nfalling_friction = {}\nhalf_slip_velocity = {}\nspeed = {}\n", most, least,
+                  half, speed);
+  for (const double xi : {0.06, 0.2})
+    EXPECT_NEAR(solved_simply(ellipse(falling + fmt::format("xi = {}", xi))).result.totals.Fx, law(xi) * load,
+                0.01 * law(xi) * load)
+        << xi;
+  for (const double xi : {1e-3, 3e-3, 0.01}) {
+    const auto by = [&](const char* model) {
+      return double(solved_simply(ellipse(falling + fmt::format("xi = {}", xi), "", model)).result.totals.Fx);
+    };
+    EXPECT_NEAR(by("simplified"), by("halfspace"), 0.035 * most * load) << xi;
+  }
+  const std::string constant =
+      fmt::format("friction = {0}\nfalling_friction = {0}\nhalf_slip_velocity = {1}\nspeed = {2}\nxi = 2e-3",
+                  most, half, speed);
+  EXPECT_EQ(solved_simply(ellipse(constant)).result.totals.Fx,
+            solved_simply(ellipse("friction = 0.33\nxi = 2e-3")).result.totals.Fx);
+  const std::string steep = "friction = 0.33\nfalling_friction = 0.14\nhalf_slip_velocity = 1\nspeed = 1e4\n";
+  EXPECT_THAT(message_of([&] { Sequence().solve(ellipse(steep + "xi = 0.01")); }),
+              HasSubstr("too small for friction that falls"));
+}
+
 /// However large an error is allowed, nobody gets it without asking for it.
 TEST(SimplifiedModel, IsTakenByNameAlone) {
   SceneFile scene = with_model(ellipse("friction = 0.3\nxi = 1e-3"), std::nullopt);

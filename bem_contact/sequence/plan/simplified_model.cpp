@@ -37,6 +37,13 @@ constexpr int fewest_patch_elements = 9;
 /// 1. A vertical force of pressure and shear, and prescribed shear forces, are met to this share.
 constexpr double force_precision = 1e-10;
 constexpr int most_force_steps = 100;
+/// 1. Where friction falls with slip, the slip of an element is the fixed point of a function. Beyond a slope
+/// of 1 it need not be the only one: friction would jump within an element. Chosen below 1, so that few steps
+/// find it.
+constexpr double steepest_fall = 0.8;
+constexpr double slip_precision = 1e-13; ///< 1, of the share of the traction that slip takes off
+constexpr int most_slip_steps = 200;     ///< .8 to this power is rounding
+constexpr double small_velocity = 1e-3;  ///< mm/s, at which the slope of friction at 0 is taken
 
 /// Where the creepages of a patch are those at its middle: w = (xi - phi s, eta + phi x).
 struct PatchCreepage {
@@ -112,6 +119,29 @@ PatchFields fields_of(const ContactProblem& problem, const SimplifiedPatch& patc
   return out;
 }
 
+/// The share of an element's traction `size` that slip takes off, so that the bound of its friction is left.
+/// `velocity`: mm/s, at which it would slip if all were taken off.
+double share_beyond(const ContactProblem& problem, int row, double size, double bound, double velocity) {
+  double share = 1 - bound / size;
+  if (!problem.friction_falls())
+    return share;
+  // Friction falls most steeply without slip.
+  const double slope = (1 - problem.falling_factor(row, small_velocity)) / small_velocity;
+  if (bound / size * slope * velocity > steepest_fall)
+    throw InputError(
+        "The elements are too small for friction that falls with slip by the simplified theory",
+        fmt::format("within {:g} mm friction would jump, and its slip has more than one solution",
+                    problem.grid.dx),
+        "Give larger elements along x, or choose another model.");
+  for (int step = 0; step < most_slip_steps; ++step) {
+    const double next = 1 - bound * problem.falling_factor(row, share * velocity) / size;
+    if (std::abs(next - share) < slip_precision)
+      return next;
+    share = next;
+  }
+  return share;
+}
+
 /// Shear tractions, slip and states of one patch.
 void roll_through(const ContactProblem& problem, const SimplifiedPatch& patch,
                   const std::vector<int>& elements, const PatchFields& fields, const PatchCreepage& creepage,
@@ -132,11 +162,13 @@ void roll_through(const ContactProblem& problem, const SimplifiedPatch& patch,
     const double size = std::hypot(px, ps), bound = fields.bound[k];
     result.state[i] = size > bound ? ElementState::slip : ElementState::adhesion;
     if (size > bound) {
-      const double beyond = 1 - bound / size; // what bounded slip takes off
-      result.slip_x[i] = beyond * px * patch.of_xi / step;
-      result.slip_s[i] = beyond * ps * patch.of_eta / step;
-      px *= bound / size;
-      ps *= bound / size;
+      const double slip_x = px * patch.of_xi / step, slip_s = ps * patch.of_eta / step;
+      const double beyond =
+          share_beyond(problem, i / mx, size, bound, problem.speed * std::hypot(slip_x, slip_s));
+      result.slip_x[i] = beyond * slip_x;
+      result.slip_s[i] = beyond * slip_s;
+      px *= 1 - beyond;
+      ps *= 1 - beyond;
     }
     result.pn[i] = fields.pressure[k];
     result.px[i] = px;
@@ -149,10 +181,11 @@ const char* why_not_served(const ContactSetup& setup, const ContactProblem& prob
   return problem.plane_strain()                 ? "plane strain has no ellipse"
          : !problem.has_friction()              ? "it is about friction, and there is none"
          : problem.motion != MotionKind::steady ? "it is of steady rolling"
-         : !problem.is_coulomb()                ? "its friction is Coulomb's, with one coefficient"
-         : setup.layer.normal > 0               ? "it has no layer that yields to pressure"
-         : setup.layer.slope                    ? "it knows no slope of influence numbers"
-                                                : nullptr;
+         : problem.kinetic != 1 || problem.friction_falls_with_heat()
+             ? "its friction is Coulomb's, which may fall with the slip velocity alone"
+         : setup.layer.normal > 0 ? "it has no layer that yields to pressure"
+         : setup.layer.slope      ? "it knows no slope of influence numbers"
+                                  : nullptr;
 }
 
 void require_served(const ContactSetup& setup, const ContactProblem& problem) {

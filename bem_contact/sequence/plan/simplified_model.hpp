@@ -35,7 +35,8 @@ std::vector<SimplifiedPatch> simplified_patches(const ContactSetup& setup, const
 /// slip. The pressure that the result has is Hertz's ellipsoid; in the middle of a patch the paraboloid is
 /// 4/3 of it. Creepages of prescribed shear forces are found. A prescribed vertical force is that of pressure
 /// and shear together. Throws InputError for a contact that the theory does not fit: without friction, in
-/// other motions, in plane strain, with friction that is not Coulomb's, on elements that are too large.
+/// other motions, in plane strain, with friction that jumps or falls with heat, on elements that are too
+/// large or, where friction falls with slip, too small.
 ContactResult solve_simplified(const ContactSetup& setup, const ContactProblem& problem);
 
 /// What the error of the simplified theory grows with: means over the patches, by their normal forces.
