@@ -45,6 +45,16 @@ TEST(Refusals, StripOffTheProfile) {
   EXPECT_THAT(refusal(body), HasSubstr("is not on profile 60E1"));
 }
 
+/// 60E1 is 172 mm high.
+TEST(Refusals, RollerWhoseAxisLiesInItsSection) {
+  BodyFile body = body_of(BodyKind::rail);
+  body.body.roller_radius = 150;
+  EXPECT_THAT(refusal(body), AllOf(HasSubstr("reaches the axis of its roller"), HasSubstr("z = 172 mm"),
+                                   HasSubstr("body.roller_radius is 150 mm")));
+  body.body.roller_radius = 200;
+  EXPECT_EQ(refusal(body), "no error");
+}
+
 TEST(Refusals, OddStripUpToACorner) {
   BodyFile body = body_of(BodyKind::block);
   body.body.size = 5;
