@@ -11,6 +11,7 @@
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/uses/curves/creep_record.hpp"
+#include "bem_contact/uses/curves/measured_forces.hpp"
 #include "bem_contact/uses/sweep/sweep_case.hpp"
 #include "bem_contact/uses/wheelset/quantities.hpp"
 
@@ -127,7 +128,7 @@ CreepSolver points_shared_by(const py::object& executor, const SceneText& scene,
 
 py::dict curves(const py::object& scene, const py::object& changes, const py::object& model,
                 const py::object& xi, const py::object& eta, const py::object& phi, const py::object& folder,
-                const py::object& executor) {
+                const py::object& executor, const py::object& measured) {
   const SceneText text = scene_of(scene, folder);
   const SceneFile file = with_model(parse_scene_file(text, changes_of(changes)), model_of(model));
   std::vector<CreepRange> ranges;
@@ -136,10 +137,19 @@ py::dict curves(const py::object& scene, const py::object& changes, const py::ob
   add_range(ranges, CreepKind::phi, phi);
   if (ranges.empty())
     ranges = {{CreepKind::xi, {}}, {CreepKind::eta, {}}, {CreepKind::phi, {}}};
+  std::optional<MeasuredForces> beside;
+  if (!measured.is_none())
+    beside = read_measured_forces(path_of(measured));
+  const auto solve = [=](const std::atomic<bool>* stop, const CreepSolver& solver) {
+    if (!beside)
+      return record_of(creep_curves(file, ranges, stop, solver));
+    MeasuredForces points = *beside;
+    record::Record out = record_of(creep_curves_beside(points, file, ranges, stop, solver));
+    return out.add("measured", record_of(points));
+  };
   if (!executor.is_none())
-    return as_dict(record_of(creep_curves(file, ranges, nullptr, points_shared_by(executor, text, changes))));
-  return as_dict(
-      record_of(stoppable([=](const std::atomic<bool>* stop) { return creep_curves(file, ranges, stop); })));
+    return as_dict(solve(nullptr, points_shared_by(executor, text, changes)));
+  return as_dict(stoppable([=](const std::atomic<bool>* stop) { return solve(stop, nullptr); }));
 }
 
 py::dict wheelset(const py::object& scene, const py::object& changes, const py::object& model,
@@ -175,13 +185,16 @@ void add_functions(py::module_& module) {
   module.def(
       "creep_curves", curves, "scene"_a, "changes"_a = py::none(), "model"_a = py::none(), py::kw_only(),
       "xi"_a = py::none(), "eta"_a = py::none(), "phi"_a = py::none(), "folder"_a = py::none(),
-      "executor"_a = py::none(),
+      "executor"_a = py::none(), "measured"_a = py::none(),
       "Forces over creepages. `scene`, `changes`, `model`: as solve() takes them. `xi`, `eta`, `phi`: the "
       "values of a curve over this creepage, the other two being the scene's; without any, three curves "
       "from full slip to full slip. A dict: \"curves\" (a dict of arrays for each creepage), and matrices "
       "[Fx, Fs, Mz][xi, eta, phi]: \"slopes\" without creepage, \"kalker\" (linear theory for the nearest "
       "ellipse, or None), \"sensitivities\" at the scene's creepages, by differences, and \"linearised\", "
-      "by one linear system with the pressure held (or None); \"forces\" there. N, mm. `executor`: any of "
+      "by one linear system with the pressure held (or None); \"forces\" there. N, mm. `measured`: a CSV "
+      "file of "
+      "measured forces (columns xi,Fx or xi,Fx,scatter); \"measured\" then has them beside the computed "
+      "ones. `executor`: any of "
       "concurrent.futures, or with its methods, shares the points in chunks that start cold: the forces are "
       "the same within the certificate, and do not depend on how many share them.");
   module.def("_creep_part", &solve_creep_part, "scene"_a, "changes"_a, "held"_a, "points"_a);

@@ -33,6 +33,12 @@ const creepFigure = (data, which) => {
     }
   });
   traces.push({...lineOver(x, curve.Mz.values, "Mz, N mm (right)", FORCES.Mz, curve.Mz_error.values), yaxis: "y2"});
+  if (data.measured?.attributes.creepage === which) {
+    const {points, attributes: {force}} = data.measured;
+    traces.push({type: "scatter", mode: "markers", x: points.creepage.values, y: points.measured.values, name: `${force} as measured`,
+                 yaxis: force === "Mz" ? "y2" : "y", marker: {symbol: "square-open", size: 8, color: INK, line: {width: 1.5}},
+                 error_y: points.scatter && {type: "data", array: points.scatter.values, thickness: 1, width: 4, color: INK}});
+  }
   const unit = curve.creepage.unit === "1" ? "" : `, ${curve.creepage.unit}`;
   return {traces, height: 380, layout: {xaxis: {title: words(which) + unit}, yaxis: {title: "force on the rail, N"},
                                         yaxis2: {title: "Mz, N mm", overlaying: "y", side: "right", showgrid: false},

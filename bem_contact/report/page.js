@@ -153,6 +153,22 @@ const addSweep = () => {
       add("p", `Case ${Number(name)}: ${one.attributes.reason}`);
 };
 
+/// What was measured, point by point, beside what is computed there.
+const addMeasured = measured => {
+  if (!measured)
+    return;
+  const {points, attributes: {force, creepage}} = measured, unit = unitText(points.measured.unit), column = name => points[name].values;
+  const share = i => Math.abs(column("measured")[i]) > 0 ? `${(100 * column("difference")[i] / Math.abs(column("measured")[i])).toFixed(1)} %` : "–";
+  const scatter = points.scatter ? [`scatter, ${unit}`] : [];
+  add("h2", "Beside what was measured");
+  add("p", `Over the ${words(creepage)}, ${force} as computed less ${force} as measured is ${number(valueOf(measured, "mean_difference"))} ${unit} in the mean and ` +
+      `${number(valueOf(measured, "largest_difference"))} ${unit} at most` +
+      (points.scatter ? `; ${valueOf(measured, "within_scatter")} of ${column("creepage").length} points lie within the scatter of what was measured.` : "."));
+  addTable(`${force} as measured and as computed`, [creepage, `measured, ${unit}`, ...scatter, `computed, ${unit}`, "difference", "of the measured one"],
+    column("creepage").map((at, i) => [number(at), number(column("measured")[i]), ...scatter.map(() => number(column("scatter")[i])),
+      number(column("computed")[i], column("computed_error")[i]), number(column("difference")[i]), share(i)]), {numbers: [0, 1, 2, 3, 4, 5], id: "measured"});
+};
+
 const addCreepCurves = () => {
   add("h2", "Curves");
   for (const which of ["xi", "eta", "phi"])
@@ -160,6 +176,7 @@ const addCreepCurves = () => {
       addFigure(`curve-${which}`, `Forces over the ${words(which)}; the other two creepages stay as in the scene. With little creepage a force ` +
                 "grows along the straight line of linear theory, which takes the other two into account; with much of it the whole contact slips, and the force " +
                 "stays within the bound of friction.", creepFigure(data, which));
+  addMeasured(data.measured);
   add("h2", "Slopes and sensitivities");
   const matrix = (name, caption) => data[name] && addTable(caption, ["", "d/dxi", "d/deta", "d/dphi"],
     ["Fx", "Fs", "Mz"].map((force, row) => [force, ...[0, 1, 2].map(k =>

@@ -54,6 +54,36 @@ TEST_F(CreepCurvesCommand, TextJsonCsvAndHdf5AgreeAndTheHelpIsRight) {
   EXPECT_FALSE(text_attribute(table, "commit").empty());
 }
 
+/// What is computed beside a measured point is what a curve has there; every door says the same.
+TEST_F(CreepCurvesCommand, BesideMeasuredForces) {
+  const std::string points =
+      write("points.csv", "xi,Fx,scatter # of a test\n0.0005,450,5\n-1e-3,-900,100\n").string();
+  const std::string command =
+      "creep-curves " + rolling + " --xi=-0.001:0.0005:2 --measured '" + points + "' ";
+  const Outcome text = run(command + "-o '" + (folder_ / "c.h5").string() + "'");
+  ASSERT_EQ(text.code, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("Fx as measured"));
+  const json j = json::parse(run(command + "--json").out), m = j.at("measured");
+  EXPECT_EQ(j["curves"].size(), 1U);
+  const auto curve = j["curves"]["xi"]["Fx"].get<std::vector<double>>(),
+             computed = m["points"]["computed"].get<std::vector<double>>();
+  EXPECT_NEAR(computed.at(0), curve.at(1), 1e-4 * 1200); // another start
+  EXPECT_NEAR(computed.at(1), curve.at(0), 1e-4 * 1200);
+  EXPECT_NEAR(m["points"]["difference"][0].get<double>(), computed[0] - 450, 1e-9);
+  EXPECT_NEAR(m["mean_difference"].get<double>(), (computed[0] - 450 + computed[1] + 900) / 2, 1e-9);
+  EXPECT_EQ(m["within_scatter"], (std::abs(computed[0] - 450) <= 5) + (std::abs(computed[1] + 900) <= 100));
+  const H5Table table = read_h5(folder_ / "c.h5");
+  EXPECT_EQ(table.datasets.at("measured/points/computed").values, computed);
+  EXPECT_EQ(table.datasets.at("measured/points/scatter").values, (std::vector<double>{5, 100}));
+  EXPECT_EQ(text_attribute(table, "measured/force"), "Fx");
+  EXPECT_THAT(run(command + "--csv '" + points + "'").err, HasSubstr("points.csv"));
+  EXPECT_THAT(text_of(points), HasSubstr("of a test"));
+  for (const char* wrong : {"xi,Fy\n0,1\n", "Fx,xi\n0,1\n", "xi,Fx,width\n0,1,2\n", "xi\n0\n", "xi,Fx\n"}) {
+    write("points.csv", wrong);
+    EXPECT_EQ(run(command).code, 2) << wrong;
+  }
+}
+
 /// Chunks of points start cold, however many processes share them.
 TEST_F(CreepCurvesCommand, SeveralProcessesShareThePoints) {
   const std::string command = "creep-curves " + rolling + " --xi=-0.001:0.001:9 --json --jobs ";

@@ -3,6 +3,7 @@
 import json
 import os
 import subprocess
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -42,6 +43,23 @@ class CreepCurves(unittest.TestCase):
             np.testing.assert_allclose(r[name], expected[name], rtol=1e-12)
         for name, values in expected["curves"]["xi"].items():
             np.testing.assert_allclose(r["curves"]["xi"][name], np.array(values, float), rtol=1e-12, err_msg=name)
+
+    def test_beside_measured_forces(self):
+        with tempfile.TemporaryDirectory() as folder:
+            points = Path(folder, "points.csv")
+            points.write_text("xi,Fx\n1e-3,700\n2e-3,1000\n")
+            r = bem_contact.creep_curves(SCENE, xi=[0, 1e-3], measured=points)
+            out = subprocess.run([os.environ["BEM_CONTACT"], "creep-curves", SCENE, "--xi", "0:0.001:2", "--measured", points, "--json"],
+                                 check=True, stdout=subprocess.PIPE).stdout
+            points.write_text("xi,Fz\n1e-3,700\n")
+            with self.assertRaisesRegex(bem_contact.InputError, "its columns are xi, Fz"):
+                bem_contact.creep_curves(SCENE, measured=points)
+        expected = json.loads(out)["measured"]
+        self.assertNotIn("scatter", r["measured"]["points"])
+        self.assertEqual(r["measured"]["force"], "Fx")
+        for name, values in expected["points"].items():
+            np.testing.assert_allclose(r["measured"]["points"][name], np.array(values, float), rtol=1e-12, err_msg=name)
+        np.testing.assert_allclose(r["measured"]["points"]["difference"], r["measured"]["points"]["computed"] - [700, 1000])
 
     def test_wrong_input(self):
         with self.assertRaisesRegex(TypeError, "no list of numbers"):

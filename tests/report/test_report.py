@@ -101,6 +101,7 @@ class Report(unittest.TestCase):
         cls.files |= {kind: cls.folder / f"{kind}.h5" for kind in ("fatigue", "rates", "table", "map", "axle_rates")}
         cls.files["study"] = cls.folder / "study" / "study.h5"
         cls.files["influence"] = ROOT / "data" / "influence" / "small_rail.h5"
+        (cls.folder / "points.csv").write_text("xi,Fx,scatter\n1e-3,500,40\n2e-3,700,50\n3e-3,900,60\n")
         (cls.folder / "table.toml").write_text(TABLE)
         (cls.folder / "study.toml").write_text(STUDY)
         for command in (("solve", SCENES / "conformal_small.toml", "-o", cls.files["result"]),
@@ -108,7 +109,7 @@ class Report(unittest.TestCase):
                          cls.files["comparison"]),
                         ("solve", patch, "-o", cls.files["stresses"]),
                         ("solve", SCENES / "cattaneo_to_carter.toml", "-o", cls.files["cylinder"]),
-                        ("creep-curves", patch, "--xi=0:4e-3:5", "--phi=0:1e-3:3", "-o", cls.files["curves"]),
+                        ("creep-curves", patch, "--xi=0:4e-3:5", "--phi=0:1e-3:3", "--measured", cls.folder / "points.csv", "-o", cls.files["curves"]),
                         ("sweep", SCENES / "cases_two_areas.toml", "-o", cls.files["sweep"]),
                         ("sweep", cls.folder / "wear.toml", "-o", cls.files["cases"]),
                         ("conicity", SCENES / "wheelset.toml", "-o", cls.files["conicity"]),
@@ -267,6 +268,17 @@ class Report(unittest.TestCase):
         self.assertAlmostEqual((y[1] - y[0]) / (x[1] - x[0]) / slopes[0, 0], 1, delta=1e-9)
         self.assertAlmostEqual(y[0] + slopes[0, 0] * (4e-4 - x[0]), slopes[0] @ rigid, delta=1e-6)
 
+    def look_at_measured_forces(self, show):
+        """Points with their scatter, and each difference."""
+        points = self.report_of("curves")["data"]["measured"]["points"]
+        drawn = show.value("(t => [t.x, t.y, t.error_y.array])(document.querySelector('#curve-xi .drawing').data.find(t => t.name === 'Fx as measured'))")
+        self.assertEqual(drawn, [[1e-3, 2e-3, 3e-3], [500, 700, 900], [40, 50, 60]])
+        self.assertFalse(show.value("document.querySelector('#curve-phi .drawing').data.some(t => t.name === 'Fx as measured')"))
+        rows = show.value("[...document.querySelectorAll('#measured tbody tr')].map(row => [...row.cells].map(cell => cell.textContent))")
+        for row, computed, difference in zip(rows, points["computed"]["values"], points["difference"]["values"], strict=True):
+            self.assertAlmostEqual(float(row[3].split(" ")[0]), computed, delta=2e-3 * abs(computed))
+            self.assertAlmostEqual(float(row[4].replace("−", "-")), difference, delta=2e-3 * abs(computed))
+
     def look_at_a_case(self, show):
         """A click on a mark of a sweep shows the patch of its case."""
         data = self.report_of("cases")["data"]
@@ -301,7 +313,7 @@ class Report(unittest.TestCase):
                   "stresses": ["stresses-halfspace"], "cylinder": ["patch-halfspace", "cut-x-halfspace", "history"],
                   "comparison": ["pressures", "quantities-at_equal_forces", "creep-forces", *(f"{c}-{m}" for c in contact
                                                                           for m in ("halfspace", "tangent_plane", "fem"))],
-                  "curves": ["slopes", "kalker", "sensitivities", "curve-xi", "curve-phi"],
+                  "curves": ["slopes", "kalker", "sensitivities", "curve-xi", "curve-phi", "measured"],
                   "sweep": ["patches-over-y", "over-pmax", "over-Fx-Fy", "cases"],
                   "cases": ["patches-over-y", "over-pmax", "over-T_gamma", "cases"],
                   "conicity": ["conicities", "tan-gamma", "radius-difference", "touch-wheel", "touch-rail"],
@@ -360,6 +372,7 @@ class Report(unittest.TestCase):
                     self.look_at_differences(show)
                 if kind == "curves":
                     self.look_at_linear_theory(show)
+                    self.look_at_measured_forces(show)
                 if kind == "cases":
                     self.look_at_a_case(show)
                 if kind == "sweep":

@@ -3,7 +3,7 @@
 import numpy as np
 from verification.page import number
 
-from .points import Bin, bins, picture, read
+from .points import Bin, bins, picture, read, result
 
 CENTRES = [.53, .69, .88, 1.09, 1.48, 2.12, 2.91, 4.28, 6.1, 9.3, 12.4, 16.1, 19.8]  # percent
 FITTED = slice(0, 4)  # bins to which the layer is fitted: .5 to 1.1 percent
@@ -70,7 +70,7 @@ def band(program, data, middle):
     return ends if inside(middle) else None
 
 
-def chapter(page, program, folder, pictures, say):
+def chapter(page, program, folder, pictures, say, results=None):
     xi, measured = read(folder / "eurosprinter_digitised.csv", ["xi_percent", "Fx_over_Fn"])
     data = bins(xi, measured, CENTRES)
     say("Eurosprinter")
@@ -122,6 +122,8 @@ def chapter(page, program, folder, pictures, say):
         gives on this contact L = {number(by_yokose, 3)} mm3/N; the last column is what follows. It is stiffer than what the locomotive's points ask
         for.""")
     curves = {L: [ratio(program, x, L) for x in CURVE] for L in (0, by_yokose, found)}
+    if results:
+        result(program, SCENE | FALLING | {"layer.compliance": found}, data, LOAD, "0:0.2:81", results / "validation_eurosprinter.h5")
 
     def draw(axis):
         axis.plot(xi, measured, "o", color="#8a97a5", markersize=3.5, alpha=0.7, label="measured (Engel, Beck, Alders 1998)")

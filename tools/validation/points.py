@@ -37,6 +37,13 @@ def bins(creepage, force, centres):
     return [Bin(creepage[i].mean(), force[i].mean(), force[i].std(ddof=1), i.sum()) for i in inside]
 
 
+def result(program, scene, data, scale, values, file):
+    """The result file of creep curves with these bins beside them; `scale`: the force of 1. `values`: FROM:TO:COUNT of the curve."""
+    points = program.folder / "points.csv"
+    points.write_text("xi,Fx,scatter\n" + "".join(f"{b.creepage / 100!r},{b.force * scale!r},{b.scatter * scale!r}\n" for b in data))
+    program.run(program.path, "creep-curves", program.scene(scene), f"--xi={values}", "--measured", points, "-o", file)
+
+
 def picture(file, title, x, y, draw, log=False):
     figure, axis = plt.subplots(figsize=(7.5, 4.4), layout="constrained")
     draw(axis)

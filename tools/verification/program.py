@@ -47,12 +47,16 @@ class Program:
 
     def solve(self, scene, model="halfspace"):
         """`scene` maps full key names to values; a table of numbers is written as a CSV file beside the scene."""
-        file, output = self.folder / "scene.toml", self.folder / "result.h5"
-        file.write_text("".join(f"{key} = {self.text(key, value)}\n" for key, value in scene.items()))
+        file, output = self.scene(scene), self.folder / "result.h5"
         printed = self.run(self.path, "solve", file, "--model", model, "--json", "-o", output)
         with h5py.File(output) as f:
             fields = {name: data[()] for name, data in f.items() if isinstance(data, h5py.Dataset)}
         return Result(json.loads(printed), fields)
+
+    def scene(self, scene):
+        file = self.folder / "scene.toml"
+        file.write_text("".join(f"{key} = {self.text(key, value)}\n" for key, value in scene.items()))
+        return file
 
     def text(self, key, value):
         if isinstance(value, tuple):  # head of a CSV file, and its rows

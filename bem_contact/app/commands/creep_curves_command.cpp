@@ -14,12 +14,14 @@
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/uses/curves/creep_record.hpp"
+#include "bem_contact/uses/curves/measured_forces.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <spdlog/spdlog.h>
 
@@ -37,10 +39,13 @@ You should see the slopes at zero creepage and spin beside those of Kalker's lin
 and three tables, with a line for each creepage. With --jobs several processes share the points; then chunks of points start
 cold, and the forces are the same within the certificate, whatever the number of processes. More, and how to draw them: data/tutorial/creep-curves.md.
 
+--measured POINTS.csv puts forces that were measured beside those that are computed at the same creepages. Its columns are a
+creepage, a force (N) and, if it is known, the scatter of the force: xi,Fx,scatter. Text, result file, page and picture have them.
+
 Exit code 0: every certificate holds; 2: the input is wrong; 3: some point has no certified result.)";
 
 struct CreepArguments {
-  std::string scene, model, csv, output;
+  std::string scene, model, csv, output, measured;
   std::array<std::string, 3> ranges;
   bool json = false, strict = false;
   int jobs = 1;
@@ -122,6 +127,33 @@ std::string curves_text(const CreepCurves& c) {
   return out;
 }
 
+std::string measured_text(const MeasuredForces& m, const std::string& file) {
+  const auto force = static_cast<std::size_t>(m.force);
+  std::string out = fmt::format("{} as measured ({}) and as computed\n  {:>12} {:>11}{} {:>11} {:>11}\n",
+                                name_of(m.force), file, name_of(m.which), "measured",
+                                m.scatter.empty() ? "" : "     scatter", "computed", "difference");
+  for (std::size_t i = 0; i < m.computed.size(); ++i)
+    out += fmt::format("  {:12.5g} {:11.5g}{} {:11.5g} {:11.4g}{}\n", m.creepage[i], m.measured[i],
+                       m.scatter.empty() ? "" : fmt::format(" {:11.4g}", m.scatter[i]),
+                       m.computed[i].forces[force].value, m.computed[i].forces[force] - m.measured[i],
+                       m.computed[i].certified ? "" : "  NOT certified");
+  return out;
+}
+
+/// What is asked for, at every door.
+struct Answer {
+  CreepCurves curves;
+  std::optional<MeasuredForces> measured;
+
+  bool certified() const { return curves.certified() && (!measured || measured->certified()); }
+  record::Record record() const {
+    record::Record out = record_of(curves);
+    if (measured)
+      out.add("measured", record_of(*measured));
+    return out;
+  }
+};
+
 /// All curves below each other: which creepage varied, the creepage, and the columns of a curve.
 void write_curves(std::ostream& out, const CreepCurves& c) {
   for (const CreepCurve& curve : c.curves) {
@@ -158,24 +190,32 @@ CreepSolver creep_points_by_children(const SceneFile& scene, int jobs) {
 
 ExitCode run(const CreepArguments& arguments) {
   const std::vector<CreepRange> ranges = ranges_of(arguments.ranges);
-  const GivenScene given =
-      read_given_scene_for({{"--output", arguments.output, OutputForm::whole_file}, {"--csv", arguments.csv}},
-                           arguments.scene, arguments.model);
-  const CreepCurves curves =
-      creep_curves(given.scene, ranges, nullptr,
-                   arguments.jobs == 1 ? nullptr : creep_points_by_children(given.scene, arguments.jobs));
+  const std::vector<Output> outputs{{"--output", arguments.output, OutputForm::whole_file},
+                                    {"--csv", arguments.csv}};
+  const GivenScene given = read_given_scene_for(outputs, arguments.scene, arguments.model);
+  const CreepSolver solver =
+      arguments.jobs == 1 ? nullptr : creep_points_by_children(given.scene, arguments.jobs);
+  Answer answer;
+  if (!arguments.measured.empty()) {
+    require_named_outputs({arguments.measured}, outputs);
+    answer.measured = read_measured_forces(arguments.measured);
+    answer.curves = creep_curves_beside(*answer.measured, given.scene, ranges, nullptr, solver);
+  } else
+    answer.curves = creep_curves(given.scene, ranges, nullptr, solver);
+  const CreepCurves& curves = answer.curves;
   if (arguments.strict)
     refuse_warnings(curves.solution.warnings);
   if (!arguments.output.empty())
     record::write_hdf5(arguments.output,
-                       headed(creep_curves_format, given, arguments.output).append(record_of(curves)));
+                       headed(creep_curves_format, given, arguments.output).append(answer.record()));
   if (!arguments.csv.empty())
     write_text(arguments.csv, [&](std::ostream& out) { write_curves(out, curves); });
   fmt::print("{}", arguments.json
-                       ? record::to_json(headed(creep_curves_format).append(record_of(curves))) + "\n"
-                       : curves_text(curves));
+                       ? record::to_json(headed(creep_curves_format).append(answer.record())) + "\n"
+                       : curves_text(curves) +
+                             (answer.measured ? measured_text(*answer.measured, arguments.measured) : ""));
   warn(curves.solution.warnings);
-  if (curves.certified())
+  if (answer.certified())
     return success;
   spdlog::error(
       "Some points are not solutions (their certificates do not hold) Look at the column `certified`, and "
@@ -205,6 +245,8 @@ Command add_creep_curves(CLI::App& program) {
                    "Range of the longitudinal creepage, as motion.xi counts it");
   line->add_option("--eta", arguments->ranges[1], "Range of the lateral creepage");
   line->add_option("--phi", arguments->ranges[2], "Range of the spin, 1/mm");
+  line->add_option("--measured", arguments->measured,
+                   "Measured forces to compare with (CSV: xi,Fx or xi,Fx,scatter)");
   add_model(*line, arguments->model);
   add_strict(*line, arguments->strict);
   add_jobs(*line, arguments->jobs);

@@ -172,6 +172,7 @@ def creep_curves(
     phi: Any = None,
     folder: str | PathLike[str] | None = None,
     executor: Executor | None = None,
+    measured: str | PathLike[str] | None = None,
 ) -> dict[str, Any]:
     """Forces over creepages (each of xi, eta, phi: values, or None), slopes at zero, sensitivities; NumPy arrays.
 

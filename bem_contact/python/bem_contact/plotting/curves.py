@@ -5,7 +5,7 @@ import numpy as np
 
 from . import style
 from .former import curves_of
-from .kinds import require_columns
+from .kinds import require_columns, text
 
 AXES = {"xi": "longitudinal creepage xi", "eta": "lateral creepage eta", "phi": "spin phi, 1/mm"}
 EXPLAINED = ("Each panel changes one creepage, and the other two stay as in the scene. With little creepage the force grows along Kalker's\n"
@@ -32,6 +32,13 @@ def draw_curve(panel, name, curve, scales, kalker):
     panel.ticklabel_format(axis="x", scilimits=(-2, 2))
 
 
+def draw_measured(panel, measured, scales):
+    force, points = text(measured.attrs["force"]), measured["points"]
+    scatter = points["scatter"][:] / scales[force] if "scatter" in points else None
+    panel.errorbar(points["creepage"][:], points["measured"][:] / scales[force], scatter, fmt="s", color=style.INK, fillstyle="none",
+                   capsize=3, markersize=5, label=f"{force} as measured")
+
+
 def draw(files):
     with h5py.File(files[0]) as file:
         curves, force, bound, radius = curves_of(file)
@@ -39,8 +46,10 @@ def draw(files):
         figure, axes = style.panels(1, len(names), (1.2 + 4.4 * len(names), 5.2), sharey=True)
         for panel, name in zip(axes[0], names):
             require_columns(curves[name])
-            draw_curve(panel, name, curves[name], {"Fx": bound, "Fs": bound, "Mz": bound * radius},
-                       file["kalker"][:] if "kalker" in file else None)
+            scales = {"Fx": bound, "Fs": bound, "Mz": bound * radius}
+            draw_curve(panel, name, curves[name], scales, file["kalker"][:] if "kalker" in file else None)
+            if "measured" in file and text(file["measured"].attrs["creepage"]) == name:
+                draw_measured(panel, file["measured"], scales)
         axes[0, 0].set_ylabel("force on the rail over its bound")
         middle = axes[0, len(names) // 2]
         style.legend_beside(middle, below=True, columns=5 if len(names) > 1 else 2)

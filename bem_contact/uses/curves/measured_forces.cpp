@@ -1,0 +1,105 @@
+#include "bem_contact/uses/curves/measured_forces.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/scene/csv_table.hpp"
+#include "bem_contact/uses/curves/creep_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <optional>
+
+namespace bem_contact {
+
+namespace {
+
+template <class Kind> std::optional<Kind> kind_named(const std::string& name) {
+  const auto& names = EnumNames<Kind>::names;
+  const auto found = std::ranges::find(names, name);
+  return found == names.end() ? std::nullopt : std::optional(static_cast<Kind>(found - names.begin()));
+}
+
+[[noreturn]] void refuse_columns(const std::filesystem::path& file, const std::vector<std::string>& columns) {
+  throw InputError(fmt::format("The table '{}' holds no measured forces", file.string()),
+                   fmt::format("its columns are {}", fmt::join(columns, ", ")),
+                   "Begin it with a creepage (xi, eta, phi), a force (Fx, Fs, Mz) and, if it is known, "
+                   "scatter, as xi,Fx,scatter.");
+}
+
+const Measured& force_of(const MeasuredForces& m, std::size_t i) {
+  return m.computed[i].forces[static_cast<std::size_t>(m.force)];
+}
+
+} // namespace
+
+bool MeasuredForces::certified() const {
+  return std::ranges::all_of(computed, &CreepPoint::certified);
+}
+
+MeasuredForces read_measured_forces(const std::filesystem::path& file) {
+  const std::vector<std::string> columns = csv_columns(file);
+  const auto which = columns.size() < 2 ? std::nullopt : kind_named<CreepKind>(columns[0]);
+  const auto force = columns.size() < 2 ? std::nullopt : kind_named<CreepForce>(columns[1]);
+  const bool scatter = columns.size() == 3 && columns[2] == "scatter";
+  if (!which || !force || (columns.size() > 2 && !scatter))
+    refuse_columns(file, columns);
+  MeasuredForces out{.which = *which, .force = *force, .creepage = {}, .measured = {}, .scatter = {}};
+  for (const std::vector<double>& row : read_csv(file, columns)) {
+    out.creepage.push_back(row[0]);
+    out.measured.push_back(row[1]);
+    if (scatter)
+      out.scatter.push_back(row[2]);
+  }
+  return out;
+}
+
+CreepCurves creep_curves_beside(MeasuredForces& measured, const SceneFile& scene,
+                                std::vector<CreepRange> ranges, const std::atomic<bool>* stop,
+                                const CreepSolver& solve) {
+  ranges.push_back({measured.which, measured.creepage});
+  CreepCurves out = creep_curves(scene, ranges, stop, solve);
+  measured.computed = std::move(out.curves.back().points);
+  out.curves.pop_back();
+  return out;
+}
+
+record::Record record_of(const MeasuredForces& m) {
+  using record::Column;
+  const char* unit = m.force == CreepForce::Mz ? "N mm" : "N";
+  Column creepage{"creepage", unit_of(m.which), "at which it was measured", m.creepage},
+      measured{"measured", unit, "force on the rail", m.measured},
+      scatter{"scatter", unit, "standard deviation of what was measured", m.scatter},
+      computed{"computed", unit, "force on the rail", {}},
+      error{"computed_error", unit, record::error_meaning, {}},
+      difference{"difference", unit, "computed less measured", {}};
+  double sum = 0, largest = 0;
+  std::size_t within = 0;
+  for (std::size_t i = 0; i < m.computed.size(); ++i) {
+    const Measured& force = force_of(m, i);
+    const double off = force.value - m.measured[i];
+    computed.values.push_back(force.value);
+    error.values.push_back(force.error);
+    difference.values.push_back(off);
+    sum += off;
+    largest = std::max(largest, std::abs(off));
+    within += !m.scatter.empty() && std::abs(off) <= m.scatter[i];
+  }
+  record::Table table{"point", {creepage, measured}};
+  if (!m.scatter.empty())
+    table.columns.push_back(scatter);
+  for (const Column& column : {computed, error, difference})
+    table.columns.push_back(column);
+  record::Record out{
+      {"creepage", record::Text{std::string(name_of(m.which))}},
+      {"force", record::Text{std::string(name_of(m.force))}},
+      {"mean_difference", record::Number{sum / double(m.computed.size()), unit, "computed less measured"}},
+      {"largest_difference", record::Number{largest, unit, "of the magnitudes"}},
+      {"certified", m.certified()}};
+  if (!m.scatter.empty())
+    out.add("within_scatter",
+            record::Number{double(within), "1", "points whose difference is within their scatter", {}, true});
+  return out.add("points", std::move(table));
+}
+
+} // namespace bem_contact

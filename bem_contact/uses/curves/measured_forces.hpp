@@ -1,0 +1,34 @@
+#pragma once
+
+#include "bem_contact/record/record.hpp"
+#include "bem_contact/uses/curves/creep_curves.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace bem_contact {
+
+/// Forces that were measured over one creepage, beside what is computed there.
+struct MeasuredForces {
+  CreepKind which = CreepKind::xi;
+  CreepForce force = CreepForce::Fx;
+  std::vector<double> creepage, measured; ///< as motion.xi, eta, phi mean them; N, Mz: N mm
+  std::vector<double> scatter;            ///< standard deviation of each; empty: not given
+  std::vector<CreepPoint> computed = {};  ///< at the same creepages
+
+  bool certified() const; ///< every point that is computed
+};
+
+/// Reads a CSV file whose columns are a creepage, a force and, where it is known, "scatter": "xi,Fx,scatter".
+/// Throws InputError for other columns and what read_csv() refuses.
+MeasuredForces read_measured_forces(const std::filesystem::path& file);
+
+/// creep_curves() with the points at which `measured` was measured, which get their `computed`.
+CreepCurves creep_curves_beside(MeasuredForces& measured, const SceneFile& scene,
+                                std::vector<CreepRange> ranges, const std::atomic<bool>* stop = nullptr,
+                                const CreepSolver& solve = nullptr);
+
+/// "measured" of creep curves: names of creepage and force, mean and largest difference, and a table.
+record::Record record_of(const MeasuredForces& measured);
+
+} // namespace bem_contact
