@@ -5,11 +5,11 @@ command -v debootstrap > /dev/null ||
   { echo "$name: there is no debootstrap (it makes the clean root) call apt-get install debootstrap" >&2; exit 2; }
 
 work=$(mktemp -d)
-root=$work/root
+root=$work/root # a caller that makes several gives each another folder of $work
 
 clean() {
-  for mounted in dev/shm dev/pts proc; do
-    if mountpoint -q "$root/$mounted"; then umount "$root/$mounted" || umount -l "$root/$mounted"; fi
+  for mounted in "$work"/*/dev/shm "$work"/*/dev/pts "$work"/*/proc; do
+    if mountpoint -q "$mounted"; then umount "$mounted" || umount -l "$mounted"; fi
   done
   rm -rf --one-file-system "$work"
 }
