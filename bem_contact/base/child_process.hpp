@@ -20,7 +20,7 @@ public:
   /// file `text`. Where this process has several threads, `work` may only become_program(). Throws Error
   /// where no process can be started.
   ChildProcess(const std::filesystem::path& text, const std::function<int()>& work);
-  ~ChildProcess();
+  ~ChildProcess(); ///< asks it to end, and waits
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
@@ -39,7 +39,7 @@ private:
 /// Another program with its arguments, made ready so that starting it allocates nothing.
 class ProgramLine {
 public:
-  explicit ProgramLine(std::vector<std::string> words);
+  explicit ProgramLine(std::vector<std::string> words); ///< its name, as for a shell, and its arguments
   ProgramLine(const ProgramLine&) = delete;
   ProgramLine& operator=(const ProgramLine&) = delete;
 

@@ -18,11 +18,11 @@ struct NamedBody {
 
 /// How far they are.
 struct Computed {
-  enum class Stage { idle, running, done, failed, cancelled };
-  Stage stage = Stage::idle;
-  std::string what; ///< is done now: "mesh of the rail"; of a failure: why
-  double share = 0; ///< of the work, 0 to 1
-  std::vector<NamedBody> bodies = {};
+  enum class Stage { idle, running, done, failed, cancelled }; ///< Answers::computing() names them
+  Stage stage = Stage::idle;                                   ///< where the last computation is
+  std::string what;                   ///< is done now: "mesh of the rail"; of a failure: why
+  double share = 0;                   ///< of the work, 0 to 1
+  std::vector<NamedBody> bodies = {}; ///< that are computed
 };
 
 /// Computes influence functions beside everything else, of one scene at a time. Several threads may ask.
@@ -37,8 +37,8 @@ public:
   virtual std::string missing() const = 0;
   /// Throws InputError where it is busy, or cannot.
   virtual void start(std::vector<NamedBody> bodies) = 0;
-  virtual Computed now() const = 0;
-  virtual void cancel() = 0;
+  virtual Computed now() const = 0; ///< how far the last computation is
+  virtual void cancel() = 0;        ///< ends it; returns before it has ended
 };
 
 /// By the programs mesh_body and fem_influence, in a folder of its own. What runs ends with it.

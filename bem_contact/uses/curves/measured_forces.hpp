@@ -10,11 +10,12 @@ namespace bem_contact {
 
 /// Forces that were measured over one creepage, beside what is computed there.
 struct MeasuredForces {
-  CreepKind which = CreepKind::xi;
-  CreepForce force = CreepForce::Fx;
-  std::vector<double> creepage, measured; ///< as motion.xi, eta, phi mean them; N, Mz: N mm
-  std::vector<double> scatter;            ///< standard deviation of each; empty: not given
-  std::vector<CreepPoint> computed = {};  ///< at the same creepages
+  CreepKind which = CreepKind::xi;       ///< the creepage over which it was measured
+  CreepForce force = CreepForce::Fx;     ///< what was measured
+  std::vector<double> creepage;          ///< as motion.xi, eta, phi mean it: 1, phi: 1/mm
+  std::vector<double> measured;          ///< on the rail at each creepage: N, Mz: N mm
+  std::vector<double> scatter;           ///< standard deviation of each; empty: not given
+  std::vector<CreepPoint> computed = {}; ///< at the same creepages
 
   bool certified() const; ///< every point that is computed
 };
