@@ -26,7 +26,7 @@ constexpr const char* program_help =
     R"(A scene is a TOML file that says which bodies touch, where they stand, how they are loaded and how they move.
 Begin with one that is there, then change it:
     bem_contact solve data/scenes/hertz.toml
-You should see one patch, its forces, its largest pressure and the line `certificate`. `holds` in this line means that
+You should see one patch, its forces, its largest pressure and the line `certified`. `yes` in this line means that
 the result fulfils the contact conditions; code that is not part of the solver checks that.
 data/scenes/README.md lists what scenes can ask; --print-default prints every key of a scene.
 
