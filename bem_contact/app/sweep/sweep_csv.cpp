@@ -17,9 +17,6 @@ namespace bem_contact::app {
 
 namespace {
 
-/// Rows that are in memory at once: some megabytes.
-constexpr std::size_t rows_at_once = 8192;
-
 /// Some rows of a table, column by column.
 class Rows {
 public:

@@ -16,9 +16,6 @@ namespace bem_contact::app {
 
 namespace {
 
-/// Cases without a result that are written at once.
-constexpr std::size_t missing_at_once = 8192;
-
 using LineReader = std::function<std::vector<double>(const std::string& name, std::size_t count)>;
 
 /// A sweep's file while it grows.
@@ -48,8 +45,8 @@ public:
 
   /// Cases that have none.
   void add(CaseRange cases, const DiedCases& died) {
-    for (std::size_t first = cases.first; first < cases.last; first += missing_at_once) {
-      const CaseRange some{first, std::min(cases.last, first + missing_at_once)};
+    for (std::size_t first = cases.first; first < cases.last; first += rows_at_once) {
+      const CaseRange some{first, std::min(cases.last, first + rows_at_once)};
       std::vector<SweepCase> empty = missing_cases(some);
       for (auto one = died.lower_bound(some.first); one != died.end() && one->first < some.last; ++one) {
         empty[one->first - some.first].status = CaseStatus::died;

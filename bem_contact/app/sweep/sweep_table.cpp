@@ -16,9 +16,6 @@ namespace {
 /// Characters. HDF5 takes 64 kB as an attribute; longer lists are in the scene, which the file has, too.
 constexpr std::size_t longest_list = 32'000;
 
-/// Rows of a sweep that are in memory at once.
-constexpr std::size_t rows_at_once = 8192;
-
 /// How long cases took: quantiles within a thousandth, in a memory that does not grow with their number.
 class Times {
 public:

@@ -12,6 +12,10 @@
 
 namespace bem_contact::app {
 
+/// Rows of a sweep that are in memory at once, as they are joined, summed up and written as CSV: some
+/// megabytes.
+inline constexpr std::size_t rows_at_once = 8192;
+
 /// The table of a sweep, in its file and in the files of its parts.
 ///
 /// At the top: one dataset [case] for each key of the sweep (of a text: the index of its value), for status
