@@ -78,7 +78,7 @@ struct CreepCurves {
 /// What the first solution of a scene finds, and all points keep: so they differ by nothing but their
 /// creepages.
 struct HeldContact {
-  Model model = Model::halfspace;         ///< whose influence numbers
+  Model model{};                          ///< whose influence numbers
   double dx = 0, ds = 0;                  ///< size of the elements, mm
   std::optional<double> lateral;          ///< of a lateral force, mm
   std::optional<double> layer_compliance; ///< of layer.slope, mm^3/N
