@@ -142,8 +142,7 @@ std::filesystem::path program_named(std::string_view name) {
   };
   std::istringstream folders(variable("CONFORMAL_BIN") + ":" + self.string() + ":" + variable("PATH"));
   for (std::string folder; std::getline(folders, folder, ':');)
-    if (const auto file = std::filesystem::path(folder) / name;
-        !folder.empty() && access(file.c_str(), X_OK) == 0)
+    if (auto file = std::filesystem::path(folder) / name; !folder.empty() && access(file.c_str(), X_OK) == 0)
       return file;
   return {};
 }

@@ -98,8 +98,11 @@ struct ErrorParts {
 
 /// The parts of the errors of ContactTotals: tools/benchmarks/estimates fits the shares to them.
 struct PartsOfTotals {
-  ErrorParts Fx, Fs, Fy, approach, pmax, area, adhesion_share, T_gamma, creepage_x, creepage_s, Tmax_rail,
-      Tmax_wheel;
+  ErrorParts Fx, Fs, Fy;                           ///< of the forces on the rail
+  ErrorParts approach, pmax, area, adhesion_share; ///< of the normal contact, and its part in adhesion
+  ErrorParts T_gamma;                              ///< of the power of friction
+  ErrorParts creepage_x, creepage_s;               ///< of those that are found
+  ErrorParts Tmax_rail, Tmax_wheel;                ///< of the highest temperatures
   ErrorParts moment; ///< Discretisation::moment_error(); `change` is by 1 N mm of the moment's change
 };
 
