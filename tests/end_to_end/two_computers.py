@@ -1,5 +1,6 @@
 """fem_influence with a process on each of two computers: the same bytes. Both are this machine under two names: instead of ssh,
-mpirun calls a script that gives its process another name of the machine. (Its name is not ssh, to which mpirun gives more options.)"""
+mpirun calls a script that gives its process another name of the machine. (Its name is not ssh, to which mpirun gives more options.
+They reach each other by lo, as both have one address.)"""
 
 import os
 import shutil
@@ -30,8 +31,8 @@ class TwoComputers(unittest.TestCase):
             environment = os.environ | {name: "1" for name in (
                 "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM")}
             subprocess.run([BIN / "mesh_body", "block.toml", "-o", "block.msh"], cwd=folder, check=True, capture_output=True)
-            for file, start in (("one.h5", []), ("two.h5", ["mpirun", "-n", "2", "--host", "first:1,second:1", "--mca",
-                                                           "plm_rsh_agent", str(folder / "start")])):
+            for file, start in (("one.h5", []), ("two.h5", ["mpirun", "-n", "2", "--host", "first:1,second:1", "--mca", "btl_tcp_if_include", "lo",
+                                                           "--mca", "plm_rsh_agent", str(folder / "start")])):
                 done = subprocess.run([*start, BIN / "fem_influence", "block.toml", "block.msh", "-o", file], cwd=folder,
                                       env=environment, capture_output=True, text=True, timeout=300)
                 self.assertEqual(done.returncode, 0, done.stderr)

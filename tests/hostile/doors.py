@@ -14,8 +14,8 @@ SCENES = SOURCE / "data" / "scenes"
 
 def run(*command, **options):
     """A program of ours: its code and what it wrote to standard error. It may neither crash nor hang."""
-    options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "stdin": subprocess.DEVNULL} | options
-    done = subprocess.run([str(part) for part in command], timeout=120, **options)
+    options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "stdin": subprocess.DEVNULL, "timeout": 120} | options
+    done = subprocess.run([str(part) for part in command], **options)
     return done.returncode, done.stderr.decode(errors="replace")
 
 
