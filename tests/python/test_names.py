@@ -187,7 +187,9 @@ class Names(unittest.TestCase):
         self.assertEqual(names(stubs.body), public | {"__commit__", "__version__"})
         help_text = pydoc.render_doc(bem_contact, renderer=pydoc.plaintext)
         self.assertNotIn("Method resolution order", help_text)
-        self.assertRegex(help_text, r"solve\(\s*scene")  # what it is for, and the functions
+        for name in public:  # the functions, in Python's own list (not from 3.13 on) or in ours
+            if inspect.isroutine(getattr(bem_contact, name)):
+                self.assertIn(f"{name}(", help_text)
         optional = {n.target.id for n in bases["Numbers"] if isinstance(n, ast.AnnAssign) and "None" in ast.unparse(n.annotation)}
         patch = bem_contact.solve(SCENES / "hertz.toml")  # has fewer numbers than a wheel on a rail
         missing = {n for n in names(bases["Numbers"]) if getattr(patch, n) is None}
