@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -26,6 +27,14 @@ concept NamedEnum = std::is_enum_v<E> && requires {
 
 template <NamedEnum E> constexpr std::string_view name_of(E value) {
   return EnumNames<E>::names[static_cast<std::size_t>(value)];
+}
+
+/// The value of this name, if there is one.
+template <NamedEnum E> constexpr std::optional<E> value_named(std::string_view name) {
+  for (std::size_t i = 0; i < EnumNames<E>::names.size(); ++i)
+    if (EnumNames<E>::names[i] == name)
+      return static_cast<E>(i);
+  return std::nullopt;
 }
 
 /// "red, green"

@@ -2,7 +2,6 @@
 
 #include "bem_contact/base/error.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,13 +14,13 @@ std::string name_of(std::optional<Model> model) {
 std::optional<Model> model_named(const std::string& name) {
   if (name == automatic_model)
     return std::nullopt;
-  const auto& names = EnumNames<Model>::names;
-  const auto found = std::ranges::find(names, name);
-  if (found == names.end())
-    throw InputError(fmt::format("There is no model '{}'", name),
-                     fmt::format("the models are {}, {}", automatic_model, fmt::join(names, ", ")),
-                     "Choose one of them.");
-  return static_cast<Model>(found - names.begin());
+  const std::optional<Model> model = value_named<Model>(name);
+  if (!model)
+    throw InputError(
+        fmt::format("There is no model '{}'", name),
+        fmt::format("the models are {}, {}", automatic_model, fmt::join(EnumNames<Model>::names, ", ")),
+        "Choose one of them.");
+  return model;
 }
 
 std::vector<Model> models_to_compare() {

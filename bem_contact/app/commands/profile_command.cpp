@@ -13,7 +13,6 @@
 #include "bem_contact/sequence/conformity_record.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -51,8 +50,7 @@ struct ProfileArguments {
 };
 
 template <NamedEnum E> E choice(const std::string& name) {
-  const auto& names = EnumNames<E>::names;
-  return static_cast<E>(std::ranges::find(names, name) - names.begin());
+  return value_named<E>(name).value(); // it is one of choices()
 }
 
 template <NamedEnum E> std::vector<std::string> choices() {

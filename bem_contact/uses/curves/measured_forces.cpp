@@ -14,12 +14,6 @@ namespace bem_contact {
 
 namespace {
 
-template <class Kind> std::optional<Kind> kind_named(const std::string& name) {
-  const auto& names = EnumNames<Kind>::names;
-  const auto found = std::ranges::find(names, name);
-  return found == names.end() ? std::nullopt : std::optional(static_cast<Kind>(found - names.begin()));
-}
-
 [[noreturn]] void refuse_columns(const std::filesystem::path& file, const std::vector<std::string>& columns) {
   throw InputError(fmt::format("The table '{}' holds no measured forces", file.string()),
                    fmt::format("its columns are {}", fmt::join(columns, ", ")),
@@ -39,8 +33,8 @@ bool MeasuredForces::certified() const {
 
 MeasuredForces read_measured_forces(const std::filesystem::path& file) {
   const std::vector<std::string> columns = csv_columns(file);
-  const auto which = columns.size() < 2 ? std::nullopt : kind_named<CreepKind>(columns[0]);
-  const auto force = columns.size() < 2 ? std::nullopt : kind_named<CreepForce>(columns[1]);
+  const auto which = columns.size() < 2 ? std::nullopt : value_named<CreepKind>(columns[0]);
+  const auto force = columns.size() < 2 ? std::nullopt : value_named<CreepForce>(columns[1]);
   const bool scatter = columns.size() == 3 && columns[2] == "scatter";
   if (!which || !force || (columns.size() > 2 && !scatter))
     refuse_columns(file, columns);
