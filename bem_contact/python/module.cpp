@@ -186,22 +186,6 @@ std::string stub_of_numbers() {
   return out;
 }
 
-/// Names that numbers had before 0.2.
-void add_former_names(ResultClass& c) {
-  c.def_property_readonly(
-      "friction_power", [](const SceneResult& r) { return known(quantity("T_gamma").value(r)); },
-      "The same as T_gamma");
-  c.def_property_readonly(
-      "friction_power_error", [](const SceneResult& r) { return known(r.result.totals.T_gamma.error); },
-      "The same as T_gamma_error");
-  for (const auto& [former, name] :
-       {std::pair{"work_rate", "friction_work_density"}, {"element_power", "friction_work"}}) {
-    const ElementQuantity& q = named(element_quantities(), name);
-    c.def_property_readonly(
-        former, [&q](const SceneResult& r) { return field(r, q); }, "The same as " + std::string(name));
-  }
-}
-
 void add_parts(ResultClass& c) {
   c.def_property_readonly(
       "patches", [](const SceneResult& r) { return as_object(patches_of(r)); },
@@ -321,7 +305,6 @@ PYBIND11_MODULE(_core, m) {
   add_exceptions(m);
   ResultClass result(m, "One scene solved with one model. Arrays are copies. Can be copied and pickled.");
   add_quantities(result);
-  add_former_names(result);
   add_parts(result);
   add_fields(result);
   add_trust(result);

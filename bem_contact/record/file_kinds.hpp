@@ -6,13 +6,13 @@
 namespace bem_contact {
 
 // What HDF5 and JSON say under "format": the kind, and a number that rises when a name in it changes. Files
-// of lower numbers are read, too.
-inline constexpr const char* result_format = "bem_contact result 3";
-inline constexpr const char* case_format = "bem_contact case 3"; ///< of a sweep
-inline constexpr const char* comparison_format = "bem_contact comparison 3";
-inline constexpr const char* sweep_format = "bem_contact sweep 3";
+// of another number are refused.
+inline constexpr const char* result_format = "bem_contact result 4";
+inline constexpr const char* case_format = "bem_contact case 4"; ///< of a sweep
+inline constexpr const char* comparison_format = "bem_contact comparison 4";
+inline constexpr const char* sweep_format = "bem_contact sweep 4";
 inline constexpr const char* sweep_part_format = "bem_contact sweep part 1";
-inline constexpr const char* wheelset_format = "bem_contact wheelset 2";
+inline constexpr const char* wheelset_format = "bem_contact wheelset 3";
 inline constexpr const char* conicity_format = "bem_contact conicity 2";
 inline constexpr const char* conicity_map_format = "bem_contact conicity map 1";
 inline constexpr const char* creep_curves_format = "bem_contact creep curves 2";

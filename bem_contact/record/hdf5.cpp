@@ -1,5 +1,7 @@
 #include "bem_contact/record/hdf5.hpp"
 
+#include "bem_contact/record/file_kinds.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -170,6 +172,16 @@ Record record_of_node(const Node& node) {
   return out;
 }
 
+/// A record of a file, unless the file is of a kind that this program writes and has another number.
+Record in_todays_layout(Record record, const std::filesystem::path& file) {
+  const std::string_view format = text_at(record, "format").value_or("");
+  if (const FileKind* kind = kind_of(format); kind && kind->format != format)
+    throw InputError(fmt::format("'{}' was written by another version of bem_contact", file.string()),
+                     fmt::format("its format is '{}', today's is '{}'", format, kind->format),
+                     "Make it again with this version, or read it with the version that wrote it.");
+  return record;
+}
+
 } // namespace
 
 H5Table to_h5(const Record& record) {
@@ -192,7 +204,11 @@ std::string hdf5_bytes(const Record& record) {
 }
 
 Record read_hdf5(const std::filesystem::path& file) {
-  return from_h5(read_h5(file));
+  return in_todays_layout(from_h5(read_h5(file)), file);
+}
+
+Record read_hdf5_top(const std::filesystem::path& file, const std::string& group) {
+  return in_todays_layout(from_h5(read_h5_top(file, group)), file);
 }
 
 } // namespace bem_contact::record

@@ -20,7 +20,10 @@ Record from_h5(const H5Table& table);
 void write_hdf5(const std::filesystem::path& file, const Record& record);
 /// The bytes of such a file.
 std::string hdf5_bytes(const Record& record);
-/// Throws InputError for a missing file or one that is not whole HDF5.
+/// Throws InputError for a missing file, one that is not whole HDF5, or one that another version laid out
+/// otherwise (record/file_kinds.hpp).
 Record read_hdf5(const std::filesystem::path& file);
+/// The same of what lies at the top of a file, and in one group.
+Record read_hdf5_top(const std::filesystem::path& file, const std::string& group = "");
 
 } // namespace bem_contact::record

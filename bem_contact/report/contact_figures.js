@@ -17,7 +17,7 @@ const contactOf = (name, group) => ({
   name, group,
   x: group.x.values, s: group.s.values, y: group.y?.values, z: group.z?.values,
   delta: group.delta?.values, dx: valueOf(group.quantities, "dx"), ds: valueOf(group.quantities, "ds"),
-  friction: valueOf(group, "friction"), left: /y (to the )?left/.test(group.attributes.frame),
+  friction: valueOf(group, "friction"), left: group.attributes.side === "left",
   rail: group.rail_profile && rows(group.rail_profile),
   wheel: group.wheel_profile && rows(group.wheel_profile),
   state: rows(group.state), pn: rows(group.p_n), px: rows(group.p_x), ps: rows(group.p_s),

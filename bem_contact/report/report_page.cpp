@@ -4,7 +4,6 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/record/file_kinds.hpp"
-#include "bem_contact/record/former.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/json.hpp"
 #include "bem_contact/report/mesh_file.hpp"
@@ -57,8 +56,9 @@ bool left_out(std::string_view path) {
                               "kernel",        "remote",
                               "remote_self",   "wavenumber"};
   const std::string_view last = name.substr(name.rfind('/') + 1);
-  constexpr std::array of_cases{"reason", "model", "frame", "friction", "quantities", "dx",  "ds",  "x",
-                                "s",      "y",     "z",     "delta",    "state",      "p_n", "p_x", "p_s"};
+  constexpr std::array of_cases{"reason", "model", "side", "frame", "friction", "quantities",
+                                "dx",     "ds",    "x",    "s",     "y",        "z",
+                                "delta",  "state", "p_n",  "p_x",   "p_s"};
   const bool of_case = name.starts_with("cases/") && name.find('/', 6) != name.npos;
   return (of_case && std::ranges::find(of_cases, last) == of_cases.end()) ||
          (name.starts_with("inputs/") && last == "content") || last == "structure" || last == "step_fields" ||
@@ -100,12 +100,11 @@ Record report_data(const std::filesystem::path& file) {
     return {{"kind", record::Text{"mesh"}},
             {"file", record::Text{file.filename().string()}},
             {"data", mesh_data(file)}};
-  Record data = record::in_todays_layout(
-      record::from_h5(read_h5_top(file, "patches"))); // the fields of a sweep's cases may be large
+  Record data = record::read_hdf5_top(file, "patches"); // the fields of a sweep's cases may be large
   const std::string kind = page_of(data, file);
   std::error_code unknown;
   if (kind != "sweep" || std::filesystem::file_size(file, unknown) <= largest_with_fields)
-    data = record::in_todays_layout(record::read_hdf5(file));
+    data = record::read_hdf5(file);
   Record out{{"kind", record::Text{kind}}, {"file", record::Text{file.filename().string()}}};
   const bool study = kind == "study";
   if (kind == "wear" || (study && record::has(data, "parts/wear/step")))

@@ -26,6 +26,40 @@ void add_friction(SchemaTable& t, SceneFile::Motion& m) {
         "half_slip_velocity, each row has its own law");
 }
 
+/// How the wheelset moves, and its wheel besides, if it is flexible.
+void add_velocities(SchemaTable& t, SceneFile::Motion& m) {
+  t.add("speed", m.speed,
+        "Forward speed of the wheelset (patch: rolling speed), for slip velocities, temperatures and the "
+        "rates below",
+        {.unit = "mm/s", .at_least = 0, .zero_is_none = true});
+  t.add("pitch_rate", m.pitch_rate,
+        "Angular speed of the wheelset about its axle, positive as it rolls forwards; instead of "
+        "rolling_radius",
+        {.unit = "rad/s", .at_least = 0, .kinds = wheel_rail_alone, .zero_is_none = true});
+  t.add("lateral_velocity", m.lateral_velocity, "Of the wheelset's centre, to the right",
+        {.unit = "mm/s", .kinds = wheel_rail_alone});
+  t.add("vertical_velocity", m.vertical_velocity, "Of the wheelset's centre, down",
+        {.unit = "mm/s", .kinds = wheel_rail_alone});
+  t.add("roll_rate", m.roll_rate, "Of the wheelset, right side down",
+        {.unit = "rad/s", .kinds = wheel_rail_alone});
+  t.add("yaw_rate", m.yaw_rate,
+        "Of the wheelset, front to the right; in a curve besides speed / track.curve_radius",
+        {.unit = "rad/s", .kinds = wheel_rail_alone});
+  t.add("wheel_forward_velocity", m.wheel.forward,
+        "Of a wheel in a flexible wheelset, besides that of the wheelset: forwards",
+        {.unit = "mm/s", .kinds = wheel_rail_alone});
+  t.add("wheel_lateral_velocity", m.wheel.lateral, "The same, to the right: rate of position.wheel_lateral",
+        {.unit = "mm/s", .kinds = wheel_rail_alone});
+  t.add("wheel_vertical_velocity", m.wheel.vertical, "The same, down",
+        {.unit = "mm/s", .kinds = wheel_rail_alone});
+  t.add("wheel_roll_rate", m.wheel.roll, "The same: rate of position.wheel_roll",
+        {.unit = "rad/s", .kinds = wheel_rail_alone});
+  t.add("wheel_pitch_rate", m.wheel.pitch, "The same: about the axle, positive as it rolls forwards",
+        {.unit = "rad/s", .kinds = wheel_rail_alone});
+  t.add("wheel_yaw_rate", m.wheel.yaw, "The same: rate of position.wheel_yaw",
+        {.unit = "rad/s", .kinds = wheel_rail_alone});
+}
+
 } // namespace
 
 void add_motion(Schema& s, SceneFile::Motion& m) {
@@ -59,36 +93,7 @@ void add_motion(Schema& s, SceneFile::Motion& m) {
         "fem, steady rolling: the wheel's surface is faster where it moves away from the axle, by u_r / R "
         "(Kalker's half-space leaves this out)",
         {.kinds = wheel_rail_alone});
-  t.add("speed", m.speed,
-        "Forward speed of the wheelset (patch: rolling speed), for slip velocities, temperatures and the "
-        "rates below",
-        {.unit = "mm/s", .at_least = 0, .zero_is_none = true});
-  t.add("pitch_rate", m.pitch_rate,
-        "Angular speed of the wheelset about its axle, positive as it rolls forwards; instead of "
-        "rolling_radius",
-        {.unit = "rad/s", .at_least = 0, .kinds = wheel_rail_alone, .zero_is_none = true});
-  t.add("lateral_velocity", m.lateral_velocity, "Of the wheelset's centre, to the right",
-        {.unit = "mm/s", .kinds = wheel_rail_alone});
-  t.add("vertical_velocity", m.vertical_velocity, "Of the wheelset's centre, down",
-        {.unit = "mm/s", .kinds = wheel_rail_alone});
-  t.add("roll_rate", m.roll_rate, "Of the wheelset, right side down",
-        {.unit = "rad/s", .kinds = wheel_rail_alone});
-  t.add("yaw_rate", m.yaw_rate,
-        "Of the wheelset, front to the right; in a curve besides speed / track.curve_radius",
-        {.unit = "rad/s", .kinds = wheel_rail_alone});
-  t.add("wheel_forward_velocity", m.wheel.forward,
-        "Of a wheel in a flexible wheelset, besides that of the wheelset: forwards",
-        {.unit = "mm/s", .kinds = wheel_rail_alone});
-  t.add("wheel_lateral_velocity", m.wheel.lateral, "The same, to the right: rate of position.wheel_lateral",
-        {.unit = "mm/s", .kinds = wheel_rail_alone});
-  t.add("wheel_vertical_velocity", m.wheel.vertical, "The same, down",
-        {.unit = "mm/s", .kinds = wheel_rail_alone});
-  t.add("wheel_roll_rate", m.wheel.roll, "The same: rate of position.wheel_roll",
-        {.unit = "rad/s", .kinds = wheel_rail_alone});
-  t.add("wheel_pitch_rate", m.wheel.pitch, "The same: about the axle, positive as it rolls forwards",
-        {.unit = "rad/s", .kinds = wheel_rail_alone});
-  t.add("wheel_yaw_rate", m.wheel.yaw, "The same: rate of position.wheel_yaw",
-        {.unit = "rad/s", .kinds = wheel_rail_alone});
+  add_velocities(t, m);
   t.add("roller_speed", m.roller_speed,
         "Angular speed of the roller (rail.roller_radius); creepage is relative to the mean speed of both "
         "surfaces. "

@@ -222,8 +222,9 @@ void add_words_of(Record& out, const SceneResult& r) {
   else
     out.add("converges_with_elements", Record::Nothing{});
   out.add("warnings", record::Texts{r.warnings, "one line for each"});
-  out.add("frame", std::string("x rolling direction, y ") + (r.motion.left ? "to the left" : "to the right") +
-                       ", z down; s along the rail, n into the rail");
+  const std::string side = r.motion.left ? "left" : "right";
+  out.add("side", side);
+  out.add("frame", "x rolling direction, y to the " + side + ", z down; s along the rail, n into the rail");
   out.add("approach_datum", r.approach_datum);
   add_words(out, "track", r.track);
 }

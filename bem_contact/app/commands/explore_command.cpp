@@ -57,7 +57,7 @@ struct ExploreArguments {
 
 /// The scene of a result file, with the profiles that it keeps.
 explore::Start start_of_result(const std::filesystem::path& file) {
-  const record::Record stored = record::from_h5(read_h5_top(file, "inputs"));
+  const record::Record stored = record::read_hdf5_top(file, "inputs");
   const std::string folder(record::text_at(stored, "scene_folder").value_or(""));
   explore::Start start{.scene = {stored_scene(file, false), fmt::format("the scene of '{}'", file.string()),
                                  (file.parent_path() / folder).lexically_normal()}};

@@ -6,7 +6,6 @@
 #include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/record/error_text.hpp"
 #include "bem_contact/record/file_kinds.hpp"
-#include "bem_contact/record/former.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/text.hpp"
 #include "bem_contact/sequence/quantities.hpp"
@@ -62,7 +61,7 @@ record::Record without_cases(const record::Record& sweep) {
 }
 
 std::string describe_record(const record::Record& file, const std::string& title) {
-  return title + "\n" + main_results(record::in_todays_layout(file)) + record::to_text(file);
+  return title + "\n" + main_results(file) + record::to_text(file);
 }
 
 std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes) {
@@ -108,7 +107,7 @@ std::string describe_file(const std::filesystem::path& file) {
   // Only files whose seal holds go to HDF5.
   if (begins_with_seal(file))
     return describe_influence(read_influence_file(file), std::filesystem::file_size(file));
-  const record::Record top = record::from_h5(read_h5_top(file, "patches")); // a sweep's fields may be large
+  const record::Record top = record::read_hdf5_top(file, "patches"); // a sweep's fields may be large
   if (const FileKind* kind = kind_of(record::text_at(top, "format").value_or("")))
     return describe_record(kind == kind_of(sweep_format) || kind == kind_of(sweep_part_format)
                                ? without_cases(top)

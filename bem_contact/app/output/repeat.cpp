@@ -7,7 +7,6 @@
 #include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/record/file_kinds.hpp"
-#include "bem_contact/record/former.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
@@ -175,7 +174,7 @@ bool is_hdf5(const fs::path& file) {
 }
 
 Repetition repeat_result(const fs::path& file, const fs::path& folder) {
-  const record::Record stored = record::in_todays_layout(record::read_hdf5(file));
+  const record::Record stored = record::read_hdf5(file);
   require_result(stored, file);
   const auto text = [&](const char* path) { return std::string(record::text_at(stored, path).value_or("")); };
   const fs::path start =
@@ -226,7 +225,7 @@ std::string to_text(const Repetition& r) {
 }
 
 std::string stored_scene(const fs::path& file, bool with_defaults) {
-  const record::Record top = record::from_h5(read_h5_top(file));
+  const record::Record top = record::read_hdf5_top(file);
   const auto text = record::text_at(top, with_defaults ? "scene_with_defaults" : "scene_text");
   if (!text)
     throw InputError(fmt::format("'{}' holds no scene", file.string()),

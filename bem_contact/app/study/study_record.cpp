@@ -5,7 +5,6 @@
 #include "bem_contact/h5/table.hpp"
 #include "bem_contact/record/csv.hpp"
 #include "bem_contact/record/file_kinds.hpp"
-#include "bem_contact/record/former.hpp"
 #include "bem_contact/record/hdf5.hpp"
 
 #include <algorithm>
@@ -207,8 +206,7 @@ record::Record record_of_part(const PartResult& result) {
   if (result.file.empty())
     return {};
   const bool cases = std::string_view(result.part->name) == "sweep";
-  return record::in_todays_layout(cases ? record::from_h5(read_h5_top(result.file, "patches"))
-                                        : record::read_hdf5(result.file));
+  return cases ? record::read_hdf5_top(result.file, "patches") : record::read_hdf5(result.file);
 }
 
 std::vector<HeadlineNumber> headline_of(const std::vector<PartResult>& results) {

@@ -24,8 +24,6 @@ class ConvergenceError(Error, RuntimeError): ...
 class Result(_Numbers):
     """One scene solved with one model. Arrays are copies. Can be copied and pickled."""
 
-    friction_power: Final[float]
-    friction_power_error: Final[float | None]
     # Parts.
     patches: Final[list[dict[str, float | None]]]
     history: Final[dict[str, _Array]]
@@ -37,8 +35,6 @@ class Result(_Numbers):
     approach_datum: Final[str]
     track: Final[str]
     conformity: Final[dict[str, Any] | None]
-    work_rate: Final[_Array]
-    element_power: Final[_Array]
     x: Final[_Array]
     # Trust.
     model: Final[str]

@@ -22,8 +22,6 @@ from .inputs import ENVIRONMENT
 
 SWEPT_FIELDS = ("state", "p_n", "p_x", "p_s")  # of a sweep's case; a scene on its own keeps every field
 EFFORT = {"seconds", "cpu_seconds", "outer_iterations", "normal_iterations", "tangential_iterations", "certificate"}
-RENAMED = {"friction_power": "T_gamma", "work_rate": "friction_work_density", "element_power": "friction_work",
-           "converged": "certified"}  # since 0.1
 MODELS = ("hertz", "halfspace", "tangent_plane", "fem")
 TIME_LIMIT = 900  # s, for one command
 
@@ -37,33 +35,20 @@ def record(status, numbers=None, words=None, effort=None, fields=None):
     return {"status": status, "numbers": numbers or {}, "words": words or {}, "effort": effort or {}, "fields": fields or {}}
 
 
-def now_called(numbers):
-    """Numbers under the names of today."""
-    return {RENAMED.get(name.removesuffix("_error"), name.removesuffix("_error")) + "_error" * name.endswith("_error"): value
-            for name, value in numbers.items() if not isinstance(value, dict)}
-
-
 def json_record(result, fields):
-    """Of the JSON object that `solve --json` prints; also of a program before 0.2."""
-    numbers = {name: value for name, value in now_called(result["quantities"]).items() if name not in EFFORT}
+    """Of the JSON object that `solve --json` prints."""
+    numbers = {name: value for name, value in result["quantities"].items() if name not in EFFORT}
     for i, patch in enumerate(result["patches"], 1):
-        numbers |= {f"patch {i} {'overlap' if key == 'approach' else key}": value for key, value in now_called(patch).items()}
+        numbers |= {f"patch {i} {'overlap' if key == 'approach' else key}": value for key, value in patch.items() if not isinstance(value, dict)}
     for i, step in enumerate(result["history"], 1):
-        numbers |= {f"step {i} {key}": float(value) for key, value in now_called(step).items() if key not in EFFORT and value is not None}
+        numbers |= {f"step {i} {key}": float(value) for key, value in step.items() if not isinstance(value, dict) and key not in EFFORT and value is not None}
     numbers |= {f"extrapolated {key}": value for key, value in (result["extrapolated"] or {}).items()}
-    solver = result.get("solver") or result["solvers"]
-    words = {"model": result["model"], "reason": result.get("why_this_model", result.get("reason")), "warnings": "\n".join(result["warnings"]),
+    solver = result["solver"]
+    words = {"model": result["model"], "reason": result["why_this_model"], "warnings": "\n".join(result["warnings"]),
              "normal solver": solver["normal"], "tangential solver": solver["tangential"],
-             "remark": result.get("solver_note") or solver.get("remark", "")}
+             "remark": result.get("solver_note", "")}
     effort = {key: result["quantities"][key] for key in result["quantities"] if key in EFFORT} | {"work": solver["work"]}
-    good = result["certified"] if "certified" in result else \
-        result["certificate"]["holds"] and all(step["converged"] for step in result["history"])
-    return record("certified" if good else "not certified", numbers, words, effort, fields)
-
-
-def name_now(name):
-    """A store may be of a program that gave a field another name."""
-    return RENAMED.get(name, name.replace("patch/", "patches/", 1) if name.startswith("patch/") else name)
+    return record("certified" if result["certified"] else "not certified", numbers, words, effort, fields)
 
 
 def is_numbers(item):
@@ -77,7 +62,7 @@ def fields_of(group, wanted=lambda name: True):
 
     def keep(name, item):
         if is_numbers(item) and wanted(name) and not name.startswith(("quantities/", "seconds/", "solver/", "certificate/")):
-            found[name_now(name)] = item[()]
+            found[name] = item[()]
 
     group.visititems(keep)
     if "state" in found:
@@ -135,7 +120,7 @@ def case_record(row, group):
     for key, text in row.items():
         if key not in inputs | {"case", "status", "reason", "creepage_x", "creepage_s"}:
             value = MODELS.index(text) if text in MODELS else float(text) if text else None
-            (effort if key in EFFORT else numbers)[RENAMED.get(key, key)] = value
+            (effort if key in EFFORT else numbers)[key] = value
     fields = {}
     if group is not None and row["status"] in ("certified", "not certified"):
         insides = [group] if "p_n" in group else [item for item in group.values() if isinstance(item, h5py.Group)]

@@ -1,7 +1,7 @@
 """Pictures of what bem_contact writes: `bem_contact plot FILE`, `bem_contact.plot()` and `Result.plot()`.
 
-`drawing` knows which module draws which kind of file, `kinds` what kind a file is, `former` how versions before 0.2 wrote
-it, `style` what all pictures share. Nothing here needs the compiled part of bem_contact.
+`drawing` knows which module draws which kind of file, `kinds` what kind a file is, `style` what all pictures share. Nothing
+here needs the compiled part of bem_contact.
 """
 
 

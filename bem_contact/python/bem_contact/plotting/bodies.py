@@ -7,8 +7,7 @@ from scipy.optimize import least_squares
 from scipy.spatial import cKDTree
 
 from . import meshes, style
-from .contact import Contact
-from .former import results_in, set_of
+from .contact import Contact, contacts_in, set_of
 from .kinds import kind_of
 from .refusals import refuse
 
@@ -22,9 +21,10 @@ FACE = {"rail": "#e9edf1", "wheel": "#f3e4df"}
 
 def contacts_of(file):
     """The most exact model first, and whether they bear equal forces."""
-    name, group = set_of(file) if kind_of(file.filename) == "comparison" else ("", file)
-    found = results_in(group)
-    return [Contact(m, *found[m]) for m in style.MODELS.those_of(found)], name == "at_equal_forces"
+    if kind_of(file.filename) != "comparison":
+        return [Contact(file)], False
+    name = set_of(file)
+    return contacts_in(file[name]), name == "at_equal_forces"
 
 
 def sentence(contacts, at_equal_forces):

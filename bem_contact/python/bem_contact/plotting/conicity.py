@@ -5,7 +5,6 @@ from pathlib import Path
 import h5py
 
 from . import style
-from .former import bodies_of
 from .kinds import require_columns, text
 
 MOST_NAMED = 12  # lines of a map whose names fit below it
@@ -17,7 +16,7 @@ def draw(files):
         for group in ("function", "conicity"):
             require_columns(file[group])
         data = {name: values[:] for group in ("function", "conicity") for name, values in file[group].items() if isinstance(values, h5py.Dataset)}
-        bodies = [" on ".join(bodies_of(file, side)) for side in SIDES]
+        bodies = [" on ".join(text(file[side].attrs[body]) for body in ("wheel", "rail")) for side in SIDES]
     figure, ((difference, conicity), (wheel, rail)) = style.panels(2, 2, (11, 8.4))
     y = data["lateral"]
     difference.plot(y, data["difference"], color=style.INK)

@@ -1,36 +1,35 @@
 """One contact: the patch from above, cuts with the bound of friction, the section, stresses below."""
 
-import re
-
 import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 
 from . import style
-from .former import certificate_of, sizes_of, value
+from .kinds import number, text
 
 ADHERES = 1
 MOST_ROWS, MOST_COLUMNS = 8, 12  # of arrows
 MOST_SLENDER = 15  # length over width of a patch that is drawn in its proportions
+SETS = {"at_equal_forces": "At equal forces", "at_equal_position": "At equal position and vertical force"}
 
 
 class Contact:
-    """Coordinates, fields and numbers of one model. Coordinates lie in one group of the file, fields in another."""
+    """Coordinates, fields and numbers of one result, which is a group of a file."""
 
-    def __init__(self, model, coordinates, group):
-        self.model, self.group = model, group
-        self.x, self.s, self.y, self.z = (coordinates[c][:] for c in "xsyz")
-        self.dx, self.ds = sizes_of(coordinates, group)
-        self.friction = value(coordinates, "friction")
-        self.left = bool(re.search("y (to the )?left", str(coordinates.attrs.get("frame", ""))))
-        self.rail, self.wheel = coordinates["rail_profile"][:], coordinates["wheel_profile"][:]
+    def __init__(self, group):
+        self.model, self.group = text(group.attrs["model"]), group
+        self.x, self.s, self.y, self.z = (group[c][:] for c in "xsyz")
+        self.dx, self.ds = (number(group["quantities"], name) for name in ("dx", "ds"))
+        self.friction = number(group, "friction")
+        self.left = text(group.attrs["side"]) == "left"
+        self.rail, self.wheel = group["rail_profile"][:], group["wheel_profile"][:]
         self.state, self.pressure, self.px, self.ps = (group[name][:] for name in ("state", "p_n", "p_x", "p_s"))
         self.numbers = {name: float(data[()]) for name, data in group["quantities"].items()}
 
     def verdict(self):
         """Whether it is certified, and its worst violation."""
-        certified, worst, tolerance = certificate_of(self.group)
-        return f"{'certified' if certified else 'NOT certified'}: {worst:.0e}, at most {tolerance:.0e}"
+        worst, tolerance = number(self.group["quantities"], "certificate"), number(self.group["certificate"], "tolerance")
+        return f"{'certified' if self.group.attrs['certified'] else 'NOT certified'}: {worst:.0e}, at most {tolerance:.0e}"
 
     @property
     def shear(self):
@@ -53,6 +52,16 @@ class Contact:
             at = np.where(touched)[0] if touched.any() else np.array([0, len(middles) - 1])
             limits.append((middles[at[0]] - margin * width, middles[at[-1]] + margin * width))
         return limits
+
+
+def contacts_in(group):
+    """The results of a group, the most exact model first."""
+    return [Contact(group[name]) for name in style.MODELS.those_of([name for name in group if "p_n" in group[name]])]
+
+
+def set_of(comparison):
+    """The name of the results of a comparison: at equal forces or at equal position."""
+    return next(name for name in SETS if name in comparison)
 
 
 def edges(middle, width):

@@ -4,8 +4,7 @@ import h5py
 import numpy as np
 
 from . import style
-from .former import curves_of
-from .kinds import require_columns, text
+from .kinds import number, require_columns, text
 
 AXES = {"xi": "longitudinal creepage xi", "eta": "lateral creepage eta", "phi": "spin phi, 1/mm"}
 EXPLAINED = ("Each panel changes one creepage, and the other two stay as in the scene. With little creepage the force grows along Kalker's\n"
@@ -41,7 +40,8 @@ def draw_measured(panel, measured, scales):
 
 def draw(files):
     with h5py.File(files[0]) as file:
-        curves, force, bound, radius = curves_of(file)
+        curves = file["curves"]
+        force, bound, radius = (number(file, name) for name in ("Fz", "bound", "radius"))
         names = [name for name in AXES if name in curves]
         figure, axes = style.panels(1, len(names), (1.2 + 4.4 * len(names), 5.2), sharey=True)
         for panel, name in zip(axes[0], names):

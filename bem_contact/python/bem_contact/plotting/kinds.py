@@ -22,6 +22,11 @@ def text(value):
     return value.decode() if isinstance(value, bytes) else str(value)
 
 
+def number(group, name):
+    """The number of that name in a group of a file."""
+    return float(group[name][()])
+
+
 def require_output(output, inputs):
     """Refuses an output that is one of the files that are read, by whatever name."""
     for name in inputs:

@@ -4,11 +4,9 @@ import h5py
 import numpy as np
 
 from . import style
-from .contact import Contact, draw_cut, draw_history, draw_patch, draw_section, draw_stresses, patch_key
-from .former import results_in, set_of, wheel_of
+from .contact import SETS, Contact, contacts_in, draw_cut, draw_history, draw_patch, draw_section, draw_stresses, patch_key, set_of
 from .kinds import text
 
-SETS = {"at_equal_forces": "At equal forces", "at_equal_position": "At equal position and vertical force"}
 NUMBERS = (("pmax", "MPa", 1), ("area", "mm²", 1), ("Fx", "N", 1), ("Fy", "N", 1), ("Fz", "N", 1), ("Mz", "N mm", 1), ("approach", "mm", 1),
            ("lateral", "mm", 1), ("free_rolling_xi", "‰", 1e3), ("Tmax_rail", "°C", 1), ("Tmax_wheel", "°C", 1))  # scale last
 SHARES = ("pmax", "area")  # differences of these are relative
@@ -86,13 +84,9 @@ def one_window(axes, contacts):
         axis.set(xlim=(limits[:, 0, 0].min(), limits[:, 0, 1].max()), ylim=(limits[:, 1, 0].min(), limits[:, 1, 1].max()))
 
 
-def only_contact(group):
-    return next(Contact(model, *parts) for model, parts in results_in(group).items())
-
-
 def draw_result(files):
     with h5py.File(files[0]) as file:
-        contact = only_contact(file)
+        contact = Contact(file)
         stresses = contact.group.get("stresses")
         figure, axes = style.panels(2, 2, (12, 8.6), width_ratios=(1.35, 1), height_ratios=(1.5, 1))
         draw_patches(figure, axes[:1, 0], [contact], [style.MODELS[contact.model][0]])
@@ -141,9 +135,8 @@ def patch_height(contacts):
 
 def draw_comparison(files):
     with h5py.File(files[0]) as file:
-        name, group = set_of(file)
-        found = results_in(group)
-        contacts = [Contact(m, *found[m]) for m in style.MODELS.those_of(found)]
+        name = set_of(file)
+        contacts = contacts_in(file[name])
         lines = list(numbers_of(contacts[::-1]))  # the simplest model first, as the program prints
         rows = -(-len(contacts) // 2)
         heights = (rows * patch_height(contacts), 0.3, 3.6, 0.5 + 0.27 * len(lines))
@@ -175,7 +168,7 @@ def in_table(value, unit):
 def draw_wheelset(files):
     """The left wheel on the left: both patches in the frame of their side, and a table in the track frame."""
     with h5py.File(files[0]) as file:
-        contacts = [only_contact(wheel_of(file, side)) for side in SIDES]
+        contacts = [Contact(file[side]["result"]) for side in SIDES]
         figure, axes = style.panels(3, 2, (12.5, 13), height_ratios=(1, 1.1, 0.6))
         draw_patches(figure, axes[0], contacts, [f"{side.capitalize()} wheel" for side in SIDES])
         patch_key(axes[0, 0], contacts, columns=1)

@@ -4,8 +4,7 @@ import h5py
 import numpy as np
 
 from . import style
-from .former import table_names, value
-from .kinds import text
+from .kinds import number, text
 
 DRAWN = 5  # columns of the table that a picture draws
 LINES = 4  # values of the second axis
@@ -18,7 +17,7 @@ def draw_errors(axis, file, columns, held):
     axis.barh(places, errors, color=[style.RAIL if c in held else "none" for c in columns], edgecolor=style.RAIL)
     axis.set(yticks=places, xlabel="% of the column's scale", title="Largest interpolation error")
     axis.set_yticklabels(map(style.words, columns), fontsize=min(10, 160 / len(columns)))
-    style.limit(axis, 100 * value(file, "tolerance"), f"goal {100 * value(file, 'tolerance'):g} %: filled bars are held to it",
+    style.limit(axis, 100 * number(file, "tolerance"), f"goal {100 * number(file, 'tolerance'):g} %: filled bars are held to it",
                 vertical=True)
     axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12))
 
@@ -80,7 +79,7 @@ def draw_nested(axis, file, axes, column):
 
 def draw(files):
     with h5py.File(files[0]) as file:
-        axes, columns, held = table_names(file)
+        axes, columns, held = (text(file.attrs[name]).split() for name in ("axis_names", "column_names", "held"))
         varies = [c for c in columns if np.ptp(file[f"values/{c}"][:]) > LEAST_CHANGE * file[f"scale/{c}"][()]]
         shown = sorted(varies, key=lambda c: c not in held)[:DRAWN]
         rows = 1 + len(shown) // 3
