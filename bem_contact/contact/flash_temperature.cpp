@@ -58,7 +58,11 @@ SurfaceTemperatures flash_temperatures(const ContactGrid& grid, const Heating& h
 }
 
 SurfaceTemperatures flash_temperatures(const ContactProblem& problem, const ContactResult& result) {
-  std::vector<double> heat = friction_work_density(result);
+  return flash_temperatures(problem, result, friction_work_density(result));
+}
+
+SurfaceTemperatures flash_temperatures(const ContactProblem& problem, const ContactResult& result,
+                                       std::vector<double> heat) {
   std::vector<char> in_contact(heat.size());
   for (std::size_t i = 0; i < heat.size(); ++i) {
     heat[i] *= problem.speed;

@@ -17,5 +17,8 @@ SurfaceTemperatures flash_temperatures(const ContactGrid& grid, const Heating& h
 
 /// Returns the temperatures of a result, heated by its friction. `problem` has speed and heating.
 SurfaceTemperatures flash_temperatures(const ContactProblem& problem, const ContactResult& result);
+/// The same with other heat, MPa; field.
+SurfaceTemperatures flash_temperatures(const ContactProblem& problem, const ContactResult& result,
+                                       std::vector<double> heat);
 
 } // namespace bem_contact
