@@ -1,5 +1,7 @@
 #include "bem_contact/contact/flash_temperature.hpp"
 
+#include "bem_contact/contact/dissipation.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -58,7 +60,9 @@ SurfaceTemperatures flash_temperatures(const ContactGrid& grid, const Heating& h
 }
 
 SurfaceTemperatures flash_temperatures(const ContactProblem& problem, const ContactResult& result) {
-  return flash_temperatures(problem, result, friction_work_density(result));
+  return flash_temperatures(problem, result,
+                            problem.friction_falls_with_heat() ? contact::dissipated_in_slip(result)
+                                                               : friction_work_density(result));
 }
 
 SurfaceTemperatures flash_temperatures(const ContactProblem& problem, const ContactResult& result,

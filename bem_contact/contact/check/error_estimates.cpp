@@ -267,10 +267,10 @@ void estimate_shear(const ContactProblem& problem, const ContactResult& result, 
   totals.T_gamma.error = weighed(shares::shear_x, fine, parts.T_gamma);
 }
 
-/// Of the highest temperature of a surface, degrees C. `shown`: by the heat that the slip of elements shows;
-/// `bulk`: what it has before the contact.
+/// Of the highest temperature of a surface, degrees C. `other`: with more or less of the heat that the slip
+/// of elements does not show; `bulk`: what it has before the contact.
 ErrorParts temperature_parts(const ContactGrid& grid, const std::vector<double>& fine,
-                             const std::vector<double>& coarse, const std::vector<double>& shown, double bulk,
+                             const std::vector<double>& coarse, const std::vector<double>& other, double bulk,
                              int contact) {
   const int i = static_cast<int>(std::ranges::max_element(fine) - fine.begin());
   const auto curvature = [&](int step, int at, int count) {
@@ -280,7 +280,7 @@ ErrorParts temperature_parts(const ContactGrid& grid, const std::vector<double>&
   return {.change = std::abs(fine[i] - std::ranges::max(coarse)),
           .local = (fine[i] - bulk) / contact,
           .peak = beside,
-          .fixed = missing_heat * std::abs(fine[i] - std::ranges::max(shown))};
+          .fixed = missing_heat * std::abs(fine[i] - std::ranges::max(other))};
 }
 
 /// Sets the errors of the highest temperatures.
@@ -289,10 +289,12 @@ void estimate_temperatures(const ContactProblem& problem, const ContactResult& r
                            PartsOfTotals& parts) {
   if (!result.temperatures || !coarse.temperatures || fine.T_gamma_in_slip < least_shown_power * fine.T_gamma)
     return;
-  const SurfaceTemperatures shown = flash_temperatures(problem, result, dissipated_in_slip(result));
+  const SurfaceTemperatures other = flash_temperatures(
+      problem, result,
+      problem.friction_falls_with_heat() ? friction_work_density(result) : dissipated_in_slip(result));
   const auto parts_of = [&](std::vector<double> SurfaceTemperatures::*surface, const ThermalBody& body) {
     return temperature_parts(problem.grid, (*result.temperatures).*surface, (*coarse.temperatures).*surface,
-                             shown.*surface, body.temperature, fine.contact);
+                             other.*surface, body.temperature, fine.contact);
   };
   parts.Tmax_rail = parts_of(&SurfaceTemperatures::rail, problem.heating->rail);
   parts.Tmax_wheel = parts_of(&SurfaceTemperatures::wheel, problem.heating->wheel);
