@@ -1,5 +1,7 @@
 #include "bem_contact/contact/flash_temperature.hpp"
 
+#include "bem_contact/contact/dissipation.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -58,7 +60,13 @@ SurfaceTemperatures flash_temperatures(const ContactGrid& grid, const Heating& h
 }
 
 SurfaceTemperatures flash_temperatures(const ContactProblem& problem, const ContactResult& result) {
-  std::vector<double> heat = friction_work_density(result);
+  return flash_temperatures(problem, result,
+                            problem.friction_falls_with_heat() ? contact::dissipated_in_slip(result)
+                                                               : friction_work_density(result));
+}
+
+SurfaceTemperatures flash_temperatures(const ContactProblem& problem, const ContactResult& result,
+                                       std::vector<double> heat) {
   std::vector<char> in_contact(heat.size());
   for (std::size_t i = 0; i < heat.size(); ++i) {
     heat[i] *= problem.speed;

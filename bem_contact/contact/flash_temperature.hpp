@@ -15,7 +15,12 @@ namespace bem_contact {
 SurfaceTemperatures flash_temperatures(const ContactGrid& grid, const Heating& heating, double speed,
                                        std::span<const double> heat, std::span<const char> in_contact);
 
-/// Returns the temperatures of a result, heated by its friction. `problem` has speed and heating.
+/// Returns the temperatures of a result, heated by its friction. `problem` has speed and heating. Where
+/// friction falls with heat they are those that its law was solved with, of the heat that the slip of
+/// elements shows.
 SurfaceTemperatures flash_temperatures(const ContactProblem& problem, const ContactResult& result);
+/// The same with other heat, MPa; field.
+SurfaceTemperatures flash_temperatures(const ContactProblem& problem, const ContactResult& result,
+                                       std::vector<double> heat);
 
 } // namespace bem_contact

@@ -1,5 +1,7 @@
 #include "bem_contact/contact/result.hpp"
 
+#include "bem_contact/contact/dissipation.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -54,10 +56,7 @@ Tractions tractions_of(const ContactResult& result) {
 }
 
 std::vector<double> friction_work_density(const ContactResult& result) {
-  std::vector<double> power(result.px.size());
-  for (std::size_t i = 0; i < result.slip_x.size(); ++i)
-    power[i] = result.px[i] * result.slip_x[i] + result.ps[i] * result.slip_s[i];
-  return power;
+  return result.dissipated.empty() ? contact::dissipated_in_slip(result) : result.dissipated;
 }
 
 std::array<double, 6> force_and_moment(const ContactProblem& problem, const ContactResult& result,

@@ -129,10 +129,11 @@ struct Discretisation {
   /// Error of the moment of p_t about the centre of pressure, over sum mu p_n r dS, r the distance from it.
   double moment = 0;
 
-  /// False: the field depends on the elements so much that no error can be told, and every one is nan. A
-  /// profile with noise or a kink is not resolved, or a peak is narrower than three elements.
+  /// False: the pressure depends on the elements so much that its error cannot be told, and is nan. A peak is
+  /// narrower than three elements, or a profile has noise or a kink.
   bool converges = true;
-  /// Where it does not: the undeformed distance itself is rough, so that smaller elements hardly help.
+  /// Where it does not: the undeformed distance itself is rough, so that smaller elements hardly help and no
+  /// error at all is told.
   bool rough = false;
   double moment_change = unknown_error; ///< share of a change of the moment that counts in moment_error(), 1
   double local_moment = unknown_error;  ///< the local part of moment_error() (error_estimates.hpp), N mm
@@ -188,9 +189,10 @@ struct ContactFields {
   std::vector<double> px, ps, pn; ///< tractions on the rail, MPa; fields
   /// Slip per unit of rolled distance (shift: mm), with all parts: rigid, found creepage, elastic; fields.
   std::vector<double> slip_x, slip_s;
-  std::vector<double> deformed_distance;           ///< e, mm; field
-  std::vector<ElementState> state;                 ///< field
-  Displacements displacements;                     ///< empty unless SolverOptions::displacements
+  std::vector<double> deformed_distance; ///< e, mm; field
+  std::vector<double> dissipated;        ///< friction_work_density(); empty: p_t S is all of it; field
+  std::vector<ElementState> state;       ///< field
+  Displacements displacements;           ///< empty unless SolverOptions::displacements
   std::optional<SurfaceTemperatures> temperatures; ///< where the problem has `heating`
 };
 
@@ -231,8 +233,9 @@ struct ContactResult : ContactFields {
 /// The tractions of a result, as those of a former rolling step or load step.
 Tractions tractions_of(const ContactResult& result);
 
-/// p_x slip_x + p_s slip_s, the power that friction dissipates on each element per area and unit of rolled
-/// distance (shift: the work of the load step per area), MPa (shift: MPa mm); field. 0 without slip.
+/// The power that friction dissipates on each element per area and unit of rolled distance (shift: the work
+/// of the load step per area), MPa (shift: MPa mm); field. It is p_x slip_x + p_s slip_s, and in steady
+/// rolling what waves of the tractions lose on elements besides (contact/dissipation.hpp).
 std::vector<double> friction_work_density(const ContactResult& result);
 
 /// Force along x, y, z and moment about them, at a point of the plane x = 0, of the tractions on these rows;

@@ -7,6 +7,7 @@
 #include "bem_contact/contact/coupled/contact_operators.hpp"
 #include "bem_contact/contact/coupled/settings.hpp"
 #include "bem_contact/contact/coupled/solve_coupled.hpp"
+#include "bem_contact/contact/dissipation.hpp"
 #include "bem_contact/contact/flash_temperature.hpp"
 #include "bem_contact/contact/grid/larger_elements.hpp"
 #include "bem_contact/contact/settings.hpp"
@@ -120,6 +121,8 @@ ContactResult result_of(const ContactProblem& problem, const contact::Solution& 
   totals.creepage_s = {solution.creepage.s};
   totals.compliance_x = solution.creepage.compliance_x;
   totals.compliance_s = solution.creepage.compliance_s;
+  if (problem.has_friction())
+    result.dissipated = contact::dissipated(problem, result);
   if (problem.heating && problem.has_friction())
     result.temperatures = flash_temperatures(problem, result);
   set_totals(problem, result);

@@ -23,30 +23,42 @@ std::vector<ContactRow> rail_rows(const WheelOnRail& pair, std::span<const doubl
   return rows;
 }
 
-std::vector<ContactRow> planar_rows(const WheelOnRail& pair, std::span<const double> s,
-                                    const ReferencePoint& reference) {
+namespace {
+
+/// The point of the rail at `row` in the plane that touches it at `reference`.
+ContactRow planar_row(const WheelOnRail& pair, double row, const ReferencePoint& reference) {
   const Point2 tangent = tangent_of(reference.delta);
+  // Along the tangent the rail's points grow with s as long as it turns by less than a right angle.
+  const double wanted = row - reference.s;
+  const auto excess = [&](double at) {
+    return dot(pair.rail_at(at).position - reference.position, tangent) - wanted;
+  };
+  double lo = reference.s, hi = reference.s;
+  const double step = wanted < 0 ? -planar_step : planar_step;
+  for (double& at = wanted < 0 ? lo : hi; excess(at) * step < 0; at += step)
+    if (at + step < pair.rail.s_begin() || at + step > pair.rail.s_end() ||
+        std::cos(pair.rail_at(at + step).delta - reference.delta) <= 0)
+      throw InputError(
+          "The potential contact does not fit on a plane",
+          fmt::format("the rail turns away from the plane at s = {:.2f} mm before it gets {:.2f} mm "
+                      "along it",
+                      at, wanted),
+          "Leave out grid.planar.");
+  const auto close = boost::math::tools::eps_tolerance<double>();
+  const double found = lo < hi ? boost::math::tools::bisect(excess, lo, hi, close).second : lo;
+  return {row, pair.rail_at(found).position, reference.delta};
+}
+
+} // namespace
+
+std::vector<ContactRow> planar_rows(const WheelOnRail& pair, std::span<const double> s,
+                                    std::span<const TangentPlane> planes) {
   std::vector<ContactRow> rows;
+  auto plane = planes.begin();
   for (const double row : s) {
-    // Along the tangent the rail's points grow with s as long as it turns by less than a right angle.
-    const double wanted = row - reference.s;
-    const auto excess = [&](double at) {
-      return dot(pair.rail_at(at).position - reference.position, tangent) - wanted;
-    };
-    double lo = reference.s, hi = reference.s;
-    const double step = wanted < 0 ? -planar_step : planar_step;
-    for (double& at = wanted < 0 ? lo : hi; excess(at) * step < 0; at += step)
-      if (at + step < pair.rail.s_begin() || at + step > pair.rail.s_end() ||
-          std::cos(pair.rail_at(at + step).delta - reference.delta) <= 0)
-        throw InputError(
-            "The potential contact does not fit on a plane",
-            fmt::format("the rail turns away from the plane at s = {:.2f} mm before it gets {:.2f} mm "
-                        "along it",
-                        at, wanted),
-            "Leave out grid.planar.");
-    const auto close = boost::math::tools::eps_tolerance<double>();
-    const double found = lo < hi ? boost::math::tools::bisect(excess, lo, hi, close).second : lo;
-    rows.push_back({row, pair.rail_at(found).position, reference.delta});
+    while (row > plane->s_to && plane + 1 != planes.end())
+      ++plane;
+    rows.push_back(planar_row(pair, row, plane->at));
   }
   return rows;
 }

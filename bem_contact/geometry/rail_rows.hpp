@@ -3,6 +3,7 @@
 #include "bem_contact/geometry/placement.hpp"
 #include "bem_contact/geometry/rigid_slip.hpp"
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -12,10 +13,16 @@ namespace bem_contact {
 /// Throws InputError where they leave the profile; `half_width`: of a row, mm.
 std::vector<ContactRow> rail_rows(const WheelOnRail& pair, std::span<const double> s, double half_width);
 
-/// Does the same for planar contact: points of the rail that far along the tangent at `reference`, all with
-/// its inclination; s counts along the tangent from the reference point's own s. Throws InputError where the
-/// rail turns away from that plane.
+/// A plane that touches the rail. Rows lie in it up to s_to, and from there on in the next one.
+struct TangentPlane {
+  ReferencePoint at;                                     ///< where it touches
+  double s_to = std::numeric_limits<double>::infinity(); ///< mm
+};
+
+/// Does the same for planar contact: points of the rail that far along a plane from where it touches, all
+/// with its inclination; s counts along the plane from its point's own s. `planes`: ascending, one or more.
+/// Throws InputError where the rail turns away from a plane.
 std::vector<ContactRow> planar_rows(const WheelOnRail& pair, std::span<const double> s,
-                                    const ReferencePoint& reference);
+                                    std::span<const TangentPlane> planes);
 
 } // namespace bem_contact

@@ -35,6 +35,11 @@ struct SurfaceSpeeds {
   double mean() const { return 0.5 * (wheel + roller); }
 };
 
+/// The creepage of surfaces of these speeds.
+double over_mean(double roller, double wheel) {
+  return (roller - wheel) / (0.5 * (roller + wheel));
+}
+
 SurfaceSpeeds speeds_of(const WheelOnRail& pair, const ReferencePoint& reference, const Creepage& creepage) {
   SurfaceSpeeds out{radius_at(pair, reference.x, reference.position),
                     pair.roller->radius(reference.position)};
@@ -105,7 +110,7 @@ RigidSlip slip_on_roller(const WheelOnRail& pair, const ReferencePoint& referenc
                          std::span<const ContactRow> rows, std::span<const double> x) {
   const SurfaceSpeeds speeds = speeds_of(pair, reference, creepage);
   const double mean = speeds.mean();
-  const double xi = (speeds.roller - speeds.wheel) / mean + creepage.xi * speeds.wheel;
+  const double xi = over_mean(speeds.roller, speeds.wheel) + creepage.xi * speeds.wheel;
   const double turning = (1 - 0.5 * xi) / speeds.radius, rolling = (1 + 0.5 * xi) / speeds.roller_radius;
   const WheelMotion wheel(pair, creepage);
   const AddedCreepage added{reference, creepage};
@@ -130,6 +135,29 @@ double radius_at(const WheelFrame& frame, const std::optional<Roller>& roller, d
 
 double radius_at(const WheelOnRail& pair, double x, Point2 point) {
   return radius_at(pair.wheel_frame(), pair.roller, x, point);
+}
+
+RollingSpeed rolling_speed(const WheelOnRail& pair, const ReferencePoint& reference,
+                           const Creepage& creepage) {
+  const double radius = creepage.rolling_radius > 0 ? creepage.rolling_radius
+                                                    : radius_at(pair, reference.x, reference.position);
+  if (!pair.roller)
+    return {.radius = radius};
+  const SurfaceSpeeds speeds = speeds_of(pair, reference, creepage);
+  return {radius, speeds.wheel, speeds.roller, true};
+}
+
+double RollingSpeed::radius_at(double xi) const {
+  if (!on_roller)
+    return radius / (1 - xi);
+  const double half = 0.5 * (over_mean(roller, wheel) + xi * wheel);
+  return radius * wheel * (1 + half) / (roller * (1 - half));
+}
+
+double RollingSpeed::xi_at(double other) const {
+  if (!on_roller)
+    return 1 - radius / other;
+  return (over_mean(roller, wheel * radius / other) - over_mean(roller, wheel)) / wheel;
 }
 
 double mean_surface_speed(const WheelOnRail& pair, const ReferencePoint& reference,

@@ -56,6 +56,20 @@ struct RigidSlip {
 RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, const Creepage& creepage,
                      std::span<const ContactRow> rows, std::span<const double> x);
 
+/// Which angular speed of the wheel belongs to which creepage xi. On a track the wheel rolls with the radius
+/// V / omega = radius / (1 - xi). On a roller w_x at the reference point is the difference of both surfaces'
+/// speeds over their mean, which the wheel's own speed changes.
+struct RollingSpeed {
+  double radius = 0;            ///< V / omega at xi = 0, mm
+  double wheel = 1, roller = 1; ///< speeds of the surfaces at the reference point at xi = 0, over V
+  bool on_roller = false;
+
+  double radius_at(double xi) const; ///< V / omega with this creepage, mm
+  double xi_at(double radius) const; ///< the creepage with which it is that
+};
+RollingSpeed rolling_speed(const WheelOnRail& pair, const ReferencePoint& reference,
+                           const Creepage& creepage);
+
 /// The mean of the speeds of both surfaces at the reference point, over V; 1 on a track.
 double mean_surface_speed(const WheelOnRail& pair, const ReferencePoint& reference, const Creepage& creepage);
 

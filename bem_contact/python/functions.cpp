@@ -84,8 +84,8 @@ void add_range(std::vector<CreepRange>& ranges, CreepKind kind, const py::object
 
 /// HeldContact
 using Held = std::tuple<std::string, double, double, std::optional<double>, std::optional<double>, double>;
-/// Forces, their errors, share of adhesion, certified.
-using SolvedPoint = std::tuple<CreepForceValues, CreepForceValues, double, bool>;
+/// Forces, their errors, those on larger elements, share of adhesion, certified.
+using SolvedPoint = std::tuple<CreepForceValues, CreepForceValues, CreepForceValues, double, bool>;
 
 /// In a process or thread of an executor: some points of creep curves.
 std::vector<SolvedPoint> solve_creep_part(const py::tuple& scene, const py::object& changes, const Held& held,
@@ -98,7 +98,7 @@ std::vector<SolvedPoint> solve_creep_part(const py::tuple& scene, const py::obje
          return creep_points(file, contact, points, stop);
        }))
     out.emplace_back(CreepForceValues{p.forces[0], p.forces[1], p.forces[2]},
-                     CreepForceValues{p.forces[0].error, p.forces[1].error, p.forces[2].error},
+                     CreepForceValues{p.forces[0].error, p.forces[1].error, p.forces[2].error}, p.coarse,
                      p.adhesion_share, p.certified);
   return out;
 }
@@ -117,9 +117,10 @@ CreepSolver points_shared_by(const py::object& executor, const SceneText& scene,
     }
     std::vector<CreepPoint> out;
     for (const py::handle part : run_on(executor, "creep", tasks))
-      for (const auto& [forces, errors, adhesion, certified] : part.cast<std::vector<SolvedPoint>>())
+      for (const auto& [forces, errors, coarse, adhesion, certified] : part.cast<std::vector<SolvedPoint>>())
         out.push_back({0,
                        {{{forces[0], errors[0]}, {forces[1], errors[1]}, {forces[2], errors[2]}}},
+                       coarse,
                        adhesion,
                        certified});
     return out;

@@ -76,7 +76,7 @@ py::dict wear_of(const PythonResult& result, const std::string& law, double hard
   py::dict out("rate"_a = field(r, w.rate), "s"_a = array_of(w.rail.s), "wheel_s"_a = array_of(w.wheel.s),
                "depth"_a = array_of(w.rail.depth), "sliding_distance"_a = array_of(w.sliding_over_s),
                "volume_per_distance"_a = w.volume_per_distance);
-  if (r.motion.rolling_radius > 0) // a wheel on a rail
+  if (r.motion.rolling.radius > 0) // a wheel on a rail
     out.attr("update")(as_dict(
         record::numbers_of(wear::rate_columns(), false, wear::rates_of(r, w, 2 * r.result.totals.Fz))));
   return out;

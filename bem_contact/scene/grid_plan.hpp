@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/contact/problem.hpp"
+#include "bem_contact/geometry/rail_rows.hpp"
 
 #include <vector>
 
@@ -11,10 +12,11 @@ namespace bem_contact {
 struct GridPlan {
   double origin = 0; ///< mm
   int first = 0, rows = 0, columns = 0;
-  double dx = 0, ds = 0; ///< mm
-  double x_centre = 0;   ///< wheel on rail: whole multiples of dx from the deepest point, mm
-  bool grown = false;    ///< larger than planned at first, because the contact did not fit
-  bool cropped = false;  ///< smaller, because a former solution says where the contact lies
+  double dx = 0, ds = 0;                 ///< mm
+  double x_centre = 0;                   ///< wheel on rail: whole multiples of dx from the deepest point, mm
+  bool grown = false;                    ///< larger than planned at first, because the contact did not fit
+  bool cropped = false;                  ///< smaller, because a former solution says where the contact lies
+  std::vector<TangentPlane> planes = {}; ///< in which the rows lie (grid.planar); empty: they follow the rail
 
   double x0() const { return x_centre - 0.5 * (columns - 1) * dx; } ///< of the first column
   ContactGrid grid() const { return {columns, rows, dx, ds, x0()}; }

@@ -157,7 +157,7 @@ struct SceneFile {
     std::vector<ErrorQuantity> accuracy_of{ErrorQuantity::forces, ErrorQuantity::pmax};
     bool plane_strain = false;    ///< patch: mx = 1, infinitely long along x, forces per mm
     std::optional<RowRange> rows; ///< wheel_rail: keys s_from and s_to, on the rail's arc length
-    bool planar = false;          ///< wheel_rail: all rows in the tangent plane at the reference point
+    bool planar = false;          ///< wheel_rail: a tangent plane for each patch
 
     bool operator==(const Grid&) const = default;
   } grid; ///< [grid]

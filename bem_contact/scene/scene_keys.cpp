@@ -31,7 +31,8 @@ void add_grid(Schema& s, SceneFile::Grid& g, SceneKeysAsRead& read) {
   t.add("s_from", read.s_from, "First row on the rail's arc length; s_from = s_to = 0: automatic",
         {.unit = "mm", .kinds = wheel_rail_alone});
   t.add("s_to", read.s_to, "Last row on the rail's arc length", {.unit = "mm", .kinds = wheel_rail_alone});
-  t.add("planar", g.planar, "Planar contact: all rows in the tangent plane at the reference point",
+  t.add("planar", g.planar,
+        "Planar contact: the rows of each patch in the plane that touches the rail at its centre of pressure",
         {.kinds = wheel_rail_alone});
 }
 

@@ -59,7 +59,8 @@ WheelRailProfiles read_profiles(const SceneFile& scene) {
 }
 
 std::vector<ContactRow> WheelRailGeometry::rows(const GridPlan& plan) const {
-  return planar ? planar_rows(pair, plan.rows_s(), reference) : rail_rows(pair, plan.rows_s(), 0.5 * plan.ds);
+  return plan.planes.empty() ? rail_rows(pair, plan.rows_s(), 0.5 * plan.ds)
+                             : planar_rows(pair, plan.rows_s(), plan.planes);
 }
 
 std::vector<double> WheelRailGeometry::rail_stations(const std::vector<ContactRow>& rows) const {

@@ -29,12 +29,12 @@ RailInclination inclination_of_rail(const std::string& name, const ProfileCurve&
 /// The bodies of a `wheel_rail` scene, the wheel lowered until it just touches.
 struct WheelRailGeometry {
   WheelOnRail pair;
-  ContactLocus locus;               ///< of the pair as it stands
-  std::vector<TouchPoint> touch;    ///< the deepest first
-  std::vector<RailSlice> slices;    ///< the whole head of the rail
-  double lowered = 0;               ///< by this much from where the height of its axle puts it, mm
-  bool planar = false;              ///< all rows lie in the tangent plane at the reference point
-  ReferencePoint reference;         ///< centre of the contact; the deepest point where nothing touches
+  ContactLocus locus;            ///< of the pair as it stands
+  std::vector<TouchPoint> touch; ///< the deepest first
+  std::vector<RailSlice> slices; ///< the whole head of the rail
+  double lowered = 0;            ///< by this much from where the height of its axle puts it, mm
+  bool planar = false;      ///< rows lie in planes that touch the rail, one for each patch (GridPlan::planes)
+  ReferencePoint reference; ///< centre of the contact; the deepest point where nothing touches
   double contact_radius = 0;        ///< of the wheel at that centre, mm
   RailInclination rail_inclination; ///< of the rail in its file, before position.rail_inclination
   std::optional<StructuralPlacement> structure = {}; ///< where structural motion has moved the bodies

@@ -1,5 +1,7 @@
 #include "bem_contact/sequence/quantities.hpp"
 
+#include "bem_contact/sequence/uncertified.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
@@ -329,9 +331,9 @@ std::string why_no_errors(const SceneResult& r) {
   if (!estimate || estimate->converges)
     return r.result.trust.why_no_errors;
   return fmt::format(
-      "the pressure does not converge with the size of the elements (pmax {:.0f} MPa on elements "
-      "twice as large). Give smaller elements, or smooth the profiles",
-      estimate->coarse.pmax.value);
+      "the pressure does not converge with the size of the elements ({}). Give smaller elements, or "
+      "smooth the profiles",
+      why_not_convergent(r.result));
 }
 
 } // namespace bem_contact

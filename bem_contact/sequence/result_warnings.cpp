@@ -5,6 +5,7 @@
 #include "bem_contact/sequence/lateral/settings.hpp"
 #include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/settings.hpp"
+#include "bem_contact/sequence/uncertified.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -145,13 +146,11 @@ void warn_of_kinetic_friction(const ContactProblem& problem, std::vector<std::st
 
 void warn_of_convergence(const ContactResult& r, std::vector<std::string>& out) {
   if (r.trust.discretisation && !r.trust.discretisation->converges)
-    out.push_back(
-        fmt::format("the pressure does not converge with the size of the elements (pmax {:.0f} MPa, "
-                    "{:.0f} MPa on elements twice as large) {}",
-                    r.totals.pmax.value, r.trust.discretisation->coarse.pmax.value,
-                    r.trust.discretisation->rough
-                        ? "Smooth the profiles (rail.smoothing, wheel.smoothing): their distance is rough."
-                        : "Give smaller grid.dx and grid.ds, or smooth a profile that is noisy."));
+    out.push_back(fmt::format("the pressure does not converge with the size of the elements ({}) {}",
+                              why_not_convergent(r),
+                              r.trust.discretisation->rough
+                                  ? "Smooth the profiles (rail.smoothing, wheel.smoothing)."
+                                  : "Give smaller grid.dx and grid.ds, or smooth a profile that is noisy."));
 }
 
 } // namespace

@@ -49,6 +49,7 @@ struct FreeRolling {
   Measured xi;               ///< its creepage, counted as SceneMotion::xi is
   double rolling_radius = 0; ///< forward over angular speed of the wheel, mm
   double contact_radius = 0; ///< SceneMotion::contact_radius, mm
+  double zero_radius = 0;    ///< the rolling radius from which xi is counted, mm
 
   /// The rolling radius with its error, mm.
   Measured radius() const { return {rolling_radius, rolling_radius * xi.error / (1 - xi)}; }
@@ -79,11 +80,11 @@ struct SceneMotion {
   /// from motion.rolling_radius, and phi is without the spin of the geometry. Shift: mm, mm and rad. 0
   /// without friction and where a table gives the rigid slip.
   double xi = 0, eta = 0, phi = 0;
-  /// wheel_rail: forward over angular speed of the wheel at xi = 0, mm: motion.rolling_radius, or that of the
-  /// contact's centre on the bodies as they are placed. 0 of a patch.
-  double rolling_radius = 0;
+  /// wheel_rail: forward over angular speed of the wheel at xi = 0 is motion.rolling_radius, or that of the
+  /// contact's centre on the bodies as they are placed. Its radius is 0 of a patch.
+  RollingSpeed rolling;
   /// wheel_rail: radius_at() of the contact, mean weighted with the pressure, mm. 0 of a patch. A slip w_x of
-  /// the whole contact is that of the creepage xi = w_x rolling_radius / contact_radius.
+  /// the whole contact is that of the creepage xi = w_x rolling.radius / contact_radius.
   double contact_radius = 0;
   /// wheel_rail, steady with friction, unless the scene leaves it out.
   std::optional<FreeRolling> free_rolling;

@@ -275,8 +275,18 @@ SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const
     search.learn({start, *force_there});
   SceneTask totals = task;
   totals.totals_only = true;
-  const double lateral = search.find(
-      [&](double at) { return lateral_force_of(solve_at_position(with_lateral(on_the_way, at), totals)); });
+  const auto force_at = [&](double at) {
+    return lateral_force_of(solve_at_position(with_lateral(on_the_way, at), totals));
+  };
+  const double lateral = search.find([&](double at) -> std::optional<double> {
+    try {
+      if (const std::optional<double> force = force_at(at))
+        return force;
+    } catch (const ConvergenceError&) {
+    }
+    former_.reset(); // a start that lies elsewhere on a steep flange may lead nowhere
+    return force_at(at);
+  });
 
   const double searched = searching.seconds();
   SceneResult out = solve_at_position(with_lateral(asked, lateral), task);

@@ -1,5 +1,8 @@
 #include "bem_contact/sequence/uncertified.hpp"
 
+#include "bem_contact/contact/settings.hpp"
+
+#include <cmath>
 #include <fmt/format.h>
 
 namespace bem_contact {
@@ -17,6 +20,15 @@ std::string why_not_certified(const SceneResult& result) {
   out += fmt::format("its worst violation is {:.1e}, {:.0e} is allowed", first.trust.certificate.worst(),
                      first.trust.certificate.tolerance);
   return first.trust.solver_note.empty() ? out : out + "; " + first.trust.solver_note;
+}
+
+std::string why_not_convergent(const ContactResult& result) {
+  const double pmax = result.totals.pmax, coarse = result.trust.discretisation->coarse.pmax;
+  if (result.trust.discretisation->rough)
+    return "the distance of the surfaces is rough from one element to the next";
+  if (std::abs(pmax - coarse) > contact::largest_pmax_change * pmax)
+    return fmt::format("pmax {:.5g} MPa, {:.5g} MPa on elements twice as large", pmax, coarse);
+  return fmt::format("its peak, {:.5g} MPa, is narrower than three elements", pmax);
 }
 
 ConvergenceError uncertified_error(const SceneResult& result) {

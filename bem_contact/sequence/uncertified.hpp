@@ -11,6 +11,9 @@ namespace bem_contact {
 /// first step that is not a solution, because later steps start from it. "" if it is certified.
 std::string why_not_certified(const SceneResult& result);
 
+/// Why the pressure of a result does not converge with the size of the elements, in words.
+std::string why_not_convergent(const ContactResult& result);
+
 /// Returns the same as an error, for callers that take only certified results.
 ConvergenceError uncertified_error(const SceneResult& result);
 

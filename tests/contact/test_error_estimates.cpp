@@ -1,3 +1,4 @@
+#include "bem_contact/contact/layer.hpp"
 #include "bem_contact/reference/hertz.hpp"
 #include "tests/contact/scenes.hpp"
 #include "tests/sanitized.hpp"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <numbers>
 #include <random>
 
 namespace bem_contact {
@@ -359,6 +361,54 @@ TEST(ErrorEstimates, HoldForFreeRollingInFullSlip) {
              100 * xi.share(), xi.median());
   EXPECT_GE(xi.share(), 0.95);
   EXPECT_LE(xi.median(), 6);
+}
+
+/// Heat flows in where waves of the tractions end, too: with a layer the slip of large elements shows a part
+/// of it.
+TEST(ErrorEstimates, HoldForTemperaturesWithALayer) {
+  NEEDS_NO_SANITIZER();
+  Tally temperatures, powers;
+  for (const double compliance : {0.0, 1e-5, 3e-5})
+    for (const double xi : {5e-4, 1e-3, 3e-3})
+      for (const double shift : {0.0, 0.3}) {
+        const auto solved = [&](int across) {
+          ContactProblem problem = ellipse(1e-3, 1.6e-3, across, shift, -shift);
+          scenes::set_creepage(problem, 0.3, xi, 0.3 * xi, 2e-4);
+          add_layer({{compliance}, 0}, problem.numbers);
+          problem.speed = 3e4;
+          problem.heating.emplace();
+          return solve(problem);
+        };
+        const ContactResult coarse = solved(20), fine = solved(80);
+        ASSERT_TRUE(coarse.certified() && fine.certified());
+        powers.add(coarse.totals.T_gamma, fine.totals.T_gamma);
+        if (std::isfinite(coarse.totals.Tmax_rail.error))
+          temperatures.add(coarse.totals.Tmax_rail, fine.totals.Tmax_rail);
+      }
+  fmt::print("temperatures: {:.0f} % of {} held, median {:.1f}; powers: {:.0f} %, {:.1f}\n",
+             100 * temperatures.share(), temperatures.cases, temperatures.median(), 100 * powers.share(),
+             powers.median());
+  EXPECT_GE(temperatures.cases, 12);
+  EXPECT_GE(temperatures.share(), 0.95);
+  EXPECT_GE(powers.share(), 0.95);
+}
+
+/// A contact of three rows: its peak is not resolved, and what does not bear on the peak has its errors.
+TEST(ErrorEstimates, APeakThatIsNotResolvedTakesOnlyThePressure) {
+  const double a = 1e-4, b = 5e-2, modulus = 82000 / (1 - 0.28);
+  const reference::HertzContact exact = reference::hertz_by_force(a, b, modulus, force);
+  ContactProblem problem = scenes::flat(scenes::steel, scenes::steel, 100, 9, 2 * exact.semi_axis_x / 80,
+                                        0.75 * exact.semi_axis_s, a, b);
+  problem.force = force;
+  const ContactResult result = solve(problem);
+  ASSERT_TRUE(result.certified() && result.trust.discretisation);
+  EXPECT_FALSE(result.trust.discretisation->converges);
+  EXPECT_FALSE(result.trust.discretisation->rough);
+  EXPECT_TRUE(std::isnan(result.totals.pmax.error));
+  EXPECT_TRUE(std::isnan(result.patches.at(0).pmax.error));
+  EXPECT_LT(std::abs(result.totals.area - std::numbers::pi * exact.semi_axis_x * exact.semi_axis_s),
+            result.totals.area.error);
+  EXPECT_LT(std::abs(result.totals.approach - exact.approach), result.totals.approach.error);
 }
 
 /// With noise of some micrometres smaller elements show another pressure: no number may be stated.

@@ -222,6 +222,28 @@ TEST(Layer, KeepsTheEnergyBalance) {
   }
 }
 
+/// The power that is stated is the driving one, and its parts on the elements add up to it, on large elements
+/// too.
+TEST(Layer, DoesNotTakePowerFromFriction) {
+  for (const double compliance : {0.0, 5e-5, 2e-4}) {
+    ContactProblem problem = scenes::flat(scenes::steel, scenes::steel, 20, 16, 0.7, 0.7, 8e-4, 1.2e-3);
+    problem.force = 5e4;
+    scenes::set_creepage(problem, 0.3, 1e-3, 0, 0);
+    add_layer({{compliance}, 0}, problem.numbers);
+    const ContactResult r = certified(problem);
+    const double driving = 1e-3 * r.totals.Fx;
+    EXPECT_NEAR(r.totals.T_gamma, driving, 1e-5 * driving) << compliance;
+    double sum = 0;
+    for (const double power : friction_work_density(r)) {
+      EXPECT_GE(power, -1e-6 * driving / problem.element_area());
+      sum += power * problem.element_area();
+    }
+    EXPECT_NEAR(sum, driving, 1e-5 * driving) << compliance;
+    ASSERT_EQ(r.patches.size(), 1u);
+    EXPECT_NEAR(r.patches.front().T_gamma, driving, 1e-5 * driving) << compliance;
+  }
+}
+
 /// Influence number of a rectangle's centre under uniform traction along x, pair of equal half-spaces
 /// (Kalker 1990, section 4.2.2: corner differences of J1 and J2).
 double dense_number(double x, double y, double dx, double dy, double shear_modulus, double poisson) {

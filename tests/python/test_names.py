@@ -116,9 +116,11 @@ class Names(unittest.TestCase):
             self.assertTrue(same(self.h5[name], getattr(self.python, name)), name)
         r = self.python
         work = r.p_x * r.slip_x + r.p_s * r.slip_s
-        np.testing.assert_allclose(r.friction_work_density, work, rtol=1e-12)
+        # What the slip of elements shows is a part of the power of friction.
+        self.assertGreaterEqual((r.friction_work_density - work).min(), -1e-9 * work.max())
+        self.assertLess(work.sum() * r.dx * r.ds / r.T_gamma, 1)
         self.assertAlmostEqual(r.friction_work.sum() / r.T_gamma, 1, delta=1e-12)
-        np.testing.assert_allclose(r.friction_work, work * r.dx * r.ds, rtol=1e-12)
+        np.testing.assert_allclose(r.friction_work, r.friction_work_density * r.dx * r.ds, rtol=1e-12)
         # Where the bodies touch, the deformed distance is zero: h - q cos(delta) - u_n.
         distance = r.gap - r.approach * np.cos(r.delta)[:, None] - r.u_n
         self.assertLess(np.abs(distance[r.state > 0]).max(), 1e-5 * r.approach)

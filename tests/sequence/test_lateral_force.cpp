@@ -74,6 +74,16 @@ TEST(LateralForce, APeakBetweenTwoSamplesIsFound) {
   EXPECT_THAT(message_of([&] { displacements(peak, 1001); }), HasSubstr("and 1000 N"));
 }
 
+/// A second contact makes the largest force a kink: just below it there are two displacements.
+TEST(LateralForce, AForceJustBelowAKinkIsFound) {
+  const auto kink = [](double y) -> std::optional<double> { return 5000 - 4000 * std::abs(y - 5.3); };
+  for (const double wanted : {4990.0, 4998.0, 4999.5}) {
+    const std::vector<double> found = displacements(kink, wanted);
+    EXPECT_TRUE(std::ranges::any_of(found, [&](double y) { return std::abs(*kink(y) - wanted) < 0.02; }))
+        << wanted;
+  }
+}
+
 TEST(LateralForce, WhereThereIsNoContactThereIsNoBranch) {
   const LateralForce gap = [](double y) -> std::optional<double> {
     return std::abs(y) < 1 ? std::nullopt : std::optional(y);

@@ -77,6 +77,39 @@ TEST_F(RollerRig, TheRollersSpeedMakesTheCreepage) {
   EXPECT_NEAR(solved("position.yaw = 3e-3\n").patch_places.front().eta, -3e-3, 1e-5);
 }
 
+/// Whatever the rolling radius from which creepage is counted: a wheel that is given the radius of free
+/// rolling rolls freely.
+TEST_F(RollerRig, AWheelRollsFreelyWithTheRadiusThatIsStated) {
+  const std::string rolling = "motion.friction = 0.3\nsolver.model = 'halfspace'\n";
+  for (const double radius : {196.0, 200.0, 204.0}) {
+    const auto solved = [&](double r) {
+      return Sequence().solve(scene(rolling + fmt::format("motion.rolling_radius = {:.9g}\n", r)));
+    };
+    const SceneResult asked = solved(radius);
+    ASSERT_TRUE(asked.motion.free_rolling);
+    const FreeRolling& free = *asked.motion.free_rolling;
+    const SceneResult given = solved(free.rolling_radius);
+    ASSERT_TRUE(given.motion.free_rolling);
+    EXPECT_NEAR(given.motion.free_rolling->rolling_radius, free.rolling_radius, 2e-6 * disc) << radius;
+    EXPECT_NEAR(given.motion.free_rolling->xi, 0, 1e-5) << radius;
+    // The same creepage without that radius.
+    const SceneResult by_creepage =
+        Sequence().solve(scene(rolling + fmt::format("motion.rolling_radius = {:.9g}\nmotion.xi = {:.9g}\n",
+                                                     radius, free.xi.value)));
+    EXPECT_NEAR(by_creepage.result.totals.Fx, given.result.totals.Fx, 1e-3 * force) << radius;
+  }
+}
+
+TEST_F(RollerRig, TheRadiusOfFreeRollingOnALargeRollerIsThatOnTheTrack) {
+  const std::string rolling =
+      "motion = { friction = 0.3, rolling_radius = 197 }\nsolver.model = 'halfspace'\n";
+  const SceneResult track = Sequence().solve(scene(rolling, 0)),
+                    roller = Sequence().solve(scene(rolling, 1e6));
+  ASSERT_TRUE(roller.motion.free_rolling && track.motion.free_rolling);
+  EXPECT_NEAR(roller.motion.free_rolling->rolling_radius, track.motion.free_rolling->rolling_radius,
+              1e-5 * disc);
+}
+
 TEST_F(RollerRig, ALargeRollerIsTheTrack) {
   const std::string rolling =
       "motion = { friction = 0.3, xi = 1e-3 }\nposition.yaw = 2e-3\nsolver.model = 'halfspace'\n";

@@ -52,6 +52,22 @@ TEST(SimplifiedModel, HasTheForcesOfLinearTheoryWithoutSlip) {
   EXPECT_NEAR(r.result.totals.approach, e.hertz.approach, 0.02 * e.hertz.approach);
 }
 
+/// On a quadratic distance the pressure is Hertz's, however long the ellipse is along x or s, and though the
+/// grid is hardly larger than the contact.
+TEST(SimplifiedModel, HasHertzsPressureOnAnyEllipse) {
+  for (const auto& [along, across] : {std::pair(1e-3, 1.1e-3), {2e-4, 3e-3}, {3e-3, 2e-4}, {1e-4, 3e-3}})
+    for (const int count : {24, 60}) {
+      const reference::HertzContact hertz =
+          reference::hertz_by_force(along, across, reference::contact_modulus(steel, steel), 2e4);
+      const SceneResult r = solved_simply(parse_scene_file(fmt::format(
+          "kind = 'patch'\nload.force = 2e4\nsolver.model = 'simplified'\nmotion.friction = 0.3\n"
+          "motion.xi = 1e-3\n[grid]\ndx = {}\nds = {}\nmx = {}\nms = {}\n[gap]\na = {}\nb = {}\n",
+          2.3 * hertz.semi_axis_x / count, 2.3 * hertz.semi_axis_s / count, count, count, along, across)));
+      EXPECT_NEAR(r.result.totals.pmax, hertz.max_pressure, 0.012 * hertz.max_pressure)
+          << along << " " << across;
+    }
+}
+
 /// Pure longitudinal creepage on a paraboloid of pressure 2 N / (pi a b): in a row of half length alpha a the
 /// traction grows by xi / L from the leading edge until it meets the bound. With tau = xi a / (L mu p0) the
 /// sum is, over mu p0 a b, 2 int (2 tau c^3 - tau^2 c^2 + tau^3 c / 6) dt up to cos t = tau / 2 and 2 int 4/3

@@ -154,6 +154,27 @@ TEST(WheelRailScene, TheGridFollowsTheLocusOfAYawedWheel) {
                 potential_share * asked.estimate->approach * std::cos(contact.problem.rows[is].delta));
 }
 
+/// Each patch lies in a plane that touches the rail where it bears the wheel; forces are then near those on
+/// the curved surface.
+TEST(WheelRailScene, EachPatchOfAPlanarContactHasItsPlane) {
+  const std::string more =
+      "load.force = 8e4\nmotion.friction = 0.3\nmotion.xi = 1e-3\ntrack.network = \"UIC\"\n"
+      "solver.model = \"halfspace\"\n";
+  for (const double lateral : {5.0, 5.2, 5.6}) { // tread and flange root
+    SceneFile scene = s1002_on_60e1(lateral, more);
+    const SceneResult curved = Sequence().solve(scene);
+    scene.grid.planar = true;
+    const SceneResult planar = Sequence().solve(scene);
+    ASSERT_TRUE(planar.result.certified() && curved.result.certified());
+    const WheelOnRail pair = placed_of(case_of(scene)).pair;
+    for (const PatchSummary& patch : planar.result.patches)
+      EXPECT_NEAR(pair.rail_at(pair.rail.nearest(pair.rail_pose.to_section(patch.position)).s).delta,
+                  patch.delta, 0.02)
+          << lateral;
+    EXPECT_NEAR(planar.result.totals.Fy, curved.result.totals.Fy, 0.02 * 8e4) << lateral;
+  }
+}
+
 TEST(WheelRailScene, PlanarContactHasOneInclination) {
   SceneFile scene = s1002_on_60e1(-4, loaded);
   const ContactOnGrid curved = on_first_grid(case_of(scene));
@@ -161,11 +182,13 @@ TEST(WheelRailScene, PlanarContactHasOneInclination) {
   const ContactCase asked = case_of(scene);
   const WheelRailGeometry& placed = placed_of(asked);
   const ContactOnGrid planar = on_first_grid(asked);
+  ASSERT_EQ(planar.plan.planes.size(), 1u);
+  const ReferencePoint& touch = planar.plan.planes.front().at;
+  EXPECT_EQ(touch.delta, placed.pair.rail_at(touch.s).delta);
   for (std::size_t i = 0; i < planar.problem.rows.size(); ++i) {
     const ContactRow& row = planar.problem.rows[i];
-    EXPECT_EQ(row.delta, placed.reference.delta);
-    EXPECT_NEAR(dot(row.position - placed.reference.position, tangent_of(row.delta)),
-                row.s - placed.reference.s, 1e-9);
+    EXPECT_EQ(row.delta, touch.delta);
+    EXPECT_NEAR(dot(row.position - touch.position, tangent_of(row.delta)), row.s - touch.s, 1e-9);
     EXPECT_NEAR(norm(placed.pair.rail_at(planar.rail_s[i]).position - row.position), 0, 1e-9);
   }
   // On the tread, where the normal hardly turns, it is nearly the same problem.

@@ -74,7 +74,7 @@ std::string slopes_text(const CreepCurves& c) {
         c.linear->semi_axis_x, c.linear->semi_axis_s, 100 * c.linear->deviation);
   else
     out += "  (the contact is no ellipse: nothing to compare with)\n";
-  out += "               computed    spread      Kalker   difference\n";
+  out += "               computed     error      Kalker   difference\n";
   for (const auto& [f, k] : in_linear_theory) {
     const double value = c.slopes.values[f][k];
     const std::string what =
@@ -174,7 +174,8 @@ CreepSolver creep_points_by_children(const SceneFile& scene, int jobs) {
             [&](CaseRange chunk, const ItemsOfWork::Give& give) {
               for (const CreepPoint& p : creep_points(scene, held, points.subspan(chunk.first, chunk.size())))
                 give({p.forces[0], p.forces[1], p.forces[2], p.forces[0].error, p.forces[1].error,
-                      p.forces[2].error, p.adhesion_share, double(p.certified)});
+                      p.forces[2].error, p.coarse[0], p.coarse[1], p.coarse[2], p.adhesion_share,
+                      double(p.certified)});
             },
         .name =
             [&](std::size_t i) {
@@ -183,7 +184,7 @@ CreepSolver creep_points_by_children(const SceneFile& scene, int jobs) {
             }};
     std::vector<CreepPoint> out;
     for (const std::vector<double>& n : numbers_by_children(work, jobs))
-      out.push_back({0, {{{n[0], n[3]}, {n[1], n[4]}, {n[2], n[5]}}}, n[6], n[7] != 0});
+      out.push_back({0, {{{n[0], n[3]}, {n[1], n[4]}, {n[2], n[5]}}}, {n[6], n[7], n[8]}, n[9], n[10] != 0});
     return out;
   };
 }

@@ -89,7 +89,8 @@ std::string pressure_text(const SceneResult& r) {
 /// The table of patches, each with its errors in a line below. Without friction nothing adheres or slips.
 std::string patches_text(const SceneResult& r, double force) {
   const bool friction = r.problem.has_friction(),
-             errors = r.result.trust.discretisation && r.result.trust.discretisation->converges;
+             errors = r.result.trust.discretisation &&
+                      (r.result.trust.discretisation->converges || !r.result.trust.discretisation->rough);
   const int decimals = decimals_for_five(force);
   const auto line = [](const auto&... cells) {
     return fmt::format("{:>5} {:>11} {:>11} {:>11} {:>10} {:>9} {:>9}", cells...);
@@ -114,9 +115,10 @@ std::string patches_text(const SceneResult& r, double force) {
   return out;
 }
 
-/// Where all adheres the sum is rounding, and may be below zero.
+/// Where all adheres the sum may be rounding, and below zero.
 std::string t_gamma_text(const SceneResult& r) {
-  return count_elements(r.result).slip > 0 ? digits(r, "T_gamma", 4) : "0";
+  const Measured& power = r.result.totals.T_gamma;
+  return count_elements(r.result).slip > 0 || power > power.error ? digits(r, "T_gamma", 4) : "0";
 }
 
 /// Each total with its error. `force`: the largest, whose digits all have.

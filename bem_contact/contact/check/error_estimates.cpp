@@ -2,6 +2,8 @@
 
 #include "bem_contact/contact/check/error_shares.hpp"
 #include "bem_contact/contact/check/regions.hpp"
+#include "bem_contact/contact/dissipation.hpp"
+#include "bem_contact/contact/flash_temperature.hpp"
 #include "bem_contact/contact/grid/larger_elements.hpp"
 #include "bem_contact/contact/settings.hpp"
 
@@ -102,12 +104,13 @@ double local_normal_force(const Region& r) {
   return 1.5 * r.fn * (share.local / r.contact + share.peak * r.relative_fall());
 }
 
-/// Of the power of friction. Each wave of the tractions loses energy on elements (slip_step.hpp), and that is
-/// missing in what slip dissipates. The driving power has no such part.
+/// Of the power of friction. Where the influence numbers leave it open what drives a wheel, it is what slip
+/// dissipates, without what each wave of the tractions loses on elements (slip_step.hpp).
 ErrorParts power_parts(const Region& fine, const Region& coarse) {
   ErrorParts out =
       shear_parts(fine.driving_power.total - coarse.driving_power.total, fine.driving_power, fine);
-  out.fixed = std::abs(fine.driving_power.total - fine.T_gamma);
+  out.fixed = std::abs(fine.driving_power.total - fine.T_gamma) +
+              missing_power * (fine.T_gamma - fine.T_gamma_in_slip);
   return out;
 }
 
@@ -264,9 +267,11 @@ void estimate_shear(const ContactProblem& problem, const ContactResult& result, 
   totals.T_gamma.error = weighed(shares::shear_x, fine, parts.T_gamma);
 }
 
-/// Of the highest temperature of a surface, degrees C. `bulk`: what it has before the contact.
+/// Of the highest temperature of a surface, degrees C. `other`: with more or less of the heat that the slip
+/// of elements does not show; `bulk`: what it has before the contact.
 ErrorParts temperature_parts(const ContactGrid& grid, const std::vector<double>& fine,
-                             const std::vector<double>& coarse, double bulk, int contact) {
+                             const std::vector<double>& coarse, const std::vector<double>& other, double bulk,
+                             int contact) {
   const int i = static_cast<int>(std::ranges::max_element(fine) - fine.begin());
   const auto curvature = [&](int step, int at, int count) {
     return at > 0 && at + 1 < count ? std::abs(2 * fine[i] - fine[i - step] - fine[i + step]) : 0.0;
@@ -274,7 +279,34 @@ ErrorParts temperature_parts(const ContactGrid& grid, const std::vector<double>&
   const double beside = curvature(1, i % grid.mx, grid.mx) + curvature(grid.mx, i / grid.mx, grid.ms);
   return {.change = std::abs(fine[i] - std::ranges::max(coarse)),
           .local = (fine[i] - bulk) / contact,
-          .peak = beside};
+          .peak = beside,
+          .fixed = missing_heat * std::abs(fine[i] - std::ranges::max(other))};
+}
+
+/// Sets the errors of the highest temperatures.
+void estimate_temperatures(const ContactProblem& problem, const ContactResult& result,
+                           const ContactResult& coarse, const Region& fine, ContactTotals& totals,
+                           PartsOfTotals& parts) {
+  if (!result.temperatures || !coarse.temperatures || fine.T_gamma_in_slip < least_shown_power * fine.T_gamma)
+    return;
+  const SurfaceTemperatures other = flash_temperatures(
+      problem, result,
+      problem.friction_falls_with_heat() ? friction_work_density(result) : dissipated_in_slip(result));
+  const auto parts_of = [&](std::vector<double> SurfaceTemperatures::*surface, const ThermalBody& body) {
+    return temperature_parts(problem.grid, (*result.temperatures).*surface, (*coarse.temperatures).*surface,
+                             other.*surface, body.temperature, fine.contact);
+  };
+  parts.Tmax_rail = parts_of(&SurfaceTemperatures::rail, problem.heating->rail);
+  parts.Tmax_wheel = parts_of(&SurfaceTemperatures::wheel, problem.heating->wheel);
+  totals.Tmax_rail.error = weighed(shares::temperature, parts.Tmax_rail);
+  totals.Tmax_wheel.error = weighed(shares::temperature, parts.Tmax_wheel);
+}
+
+/// Where the peak is not resolved, what bears on it alone; forces and areas are as good as elsewhere.
+void forget_pressures(ContactResult& result) {
+  result.totals.pmax.error = unknown_error;
+  for (PatchSummary& patch : result.patches)
+    patch.pmax.error = unknown_error;
 }
 
 } // namespace
@@ -302,7 +334,7 @@ void estimate_errors(const ContactProblem& problem, const ContactProblem& coarse
   Discretisation& estimate = *result.trust.discretisation;
   estimate.converges = converges(fine, rough, roughness);
   estimate.rough = is_rough(fine, roughness);
-  if (!estimate.converges)
+  if (estimate.rough)
     return;
   ContactTotals& totals = result.totals;
   PartsOfTotals& parts = estimate.parts;
@@ -317,16 +349,7 @@ void estimate_errors(const ContactProblem& problem, const ContactProblem& coarse
     estimate_shear(problem, result, coarse, regions, totals, parts);
     estimate_creepages(problem, result, coarse_problem.grid, coarse, fine, totals, parts);
   }
-  if (result.temperatures && coarse.temperatures) {
-    const auto parts_of = [&](std::vector<double> SurfaceTemperatures::*surface, const ThermalBody& body) {
-      return temperature_parts(problem.grid, (*result.temperatures).*surface, (*coarse.temperatures).*surface,
-                               body.temperature, fine.contact);
-    };
-    parts.Tmax_rail = parts_of(&SurfaceTemperatures::rail, problem.heating->rail);
-    parts.Tmax_wheel = parts_of(&SurfaceTemperatures::wheel, problem.heating->wheel);
-    totals.Tmax_rail.error = weighed(shares::temperature, parts.Tmax_rail);
-    totals.Tmax_wheel.error = weighed(shares::temperature, parts.Tmax_wheel);
-  }
+  estimate_temperatures(problem, result, coarse, fine, totals, parts);
   const bool force = problem.load == LoadKind::force;
   if (force)
     parts.approach = approach_parts(totals.approach - coarse.totals.approach, fine);
@@ -345,6 +368,8 @@ void estimate_errors(const ContactProblem& problem, const ContactProblem& coarse
   estimate.moment_change = longer * shares::moment.of(fine.line).change;
   estimate_patches(problem, patches, rough_patches, effects, fine, roughness, result.patches);
   estimate_track_forces(result);
+  if (!estimate.converges)
+    forget_pressures(result);
 }
 
 } // namespace bem_contact::contact

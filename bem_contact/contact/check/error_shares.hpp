@@ -71,6 +71,13 @@ inline constexpr double shear_deviation = 6.0;
 inline constexpr double shear_elongation = 0.75;
 /// 1. The same for the moment about the normal: with the power above 92 % of 100 cases were within.
 inline constexpr double moment_elongation = 0.95;
+/// 1. Of what the slip of elements does not show of the power of friction (contact/dissipation.hpp), in that
+/// power and in the highest temperature: the place of this heat is known to some elements only.
+inline constexpr double missing_power = 0.3;
+inline constexpr double missing_heat = 0.9;
+/// 1. Share of the power that slip must show where the error of a temperature is stated: else slip is in a
+/// zone narrower than an element, and a narrower one is hotter.
+inline constexpr double least_shown_power = 0.5;
 /// 1. Roughness of the undeformed distance, as a pressure, in pmax.
 inline constexpr double pmax_rough = 0.06;
 /// 1. The normal force of a patch changes where normals turn: by this share of what the sum of the pressure

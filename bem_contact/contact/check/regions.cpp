@@ -1,5 +1,7 @@
 #include "bem_contact/contact/check/regions.hpp"
 
+#include "bem_contact/contact/dissipation.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -34,22 +36,6 @@ struct Field {
     return (problem.grid.mx > 1 ? std::abs(x) : 0.0) + (problem.grid.ms > 1 ? std::abs(s) : 0.0);
   }
 };
-
-/// What the rigid motion of the bodies does through shear on element i, per area: p_t w. `lateral_share`:
-/// ContactProblem::lateral_share() of its row.
-double shear_drive(const ContactProblem& problem, const ContactResult& result, int i, double lateral_share) {
-  const double along_x = problem.slip_x[i] + result.totals.creepage_x;
-  const double along_s = problem.slip_s[i] + result.totals.creepage_s * lateral_share;
-  return result.px[i] * along_x + result.ps[i] * along_s;
-}
-
-/// The same through the pressure: p_n dh/dx.
-double pressure_drive(const ContactProblem& problem, const ContactResult& result, int i) {
-  const int ix = i % problem.grid.mx;
-  if (ix == 0 || ix + 1 == problem.grid.mx)
-    return 0;
-  return result.pn[i] * (problem.gap[i + 1] - problem.gap[i - 1]) / (2 * problem.grid.dx);
-}
 
 /// of(row) of each row.
 template <class Of> std::vector<double> of_rows(const ContactProblem& problem, const Of& of) {
@@ -97,7 +83,7 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
   out.area = out.contact * dS;
   out.x /= out.fn;
   out.s /= out.fn;
-  const std::vector<double> rate = friction_work_density(result);
+  const std::vector<double> rate = friction_work_density(result), slipping = dissipated_in_slip(result);
   const std::vector<double> share = of_rows(problem, [&](int row) { return problem.lateral_share(row); });
   std::vector<Part> moment, driving;
   moment.reserve(elements.size());
@@ -112,6 +98,7 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
     if (!problem.has_friction())
       continue;
     out.T_gamma += rate[i] * dS;
+    out.T_gamma_in_slip += slipping[i] * dS;
     const double sheared = steady ? shear_drive(problem, result, i, share[i / problem.grid.mx]) : rate[i];
     driving.push_back({sheared * dS, fx[k].fn, fx[k].adheres});
     pressed += steady ? pressure_drive(problem, result, i) * dS : 0.0;

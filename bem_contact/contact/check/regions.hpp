@@ -42,6 +42,7 @@ struct Region {
   UncertainSum fx, fs;                   ///< of p_x dS, p_s dS, N
   UncertainSum moment;                   ///< of both about the centre of pressure, N mm
   double T_gamma = 0;                    ///< N (shift: N mm)
+  double T_gamma_in_slip = 0;            ///< of it, what the slip of elements shows, N (shift: N mm)
   /// In steady rolling this is the power that drives the bodies, sum (p_t w + p_n dh/dx) dS; w includes the
   /// creepages found. By conservation of energy it is the power of friction on elements of vanishing size
   /// (theory/estimates_and_heat.md, section 2). In other motions it is the power of friction itself.

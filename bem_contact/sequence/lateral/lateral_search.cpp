@@ -14,6 +14,9 @@ namespace {
 
 /// 1 (lateral::unsure). Displacements of the curve are found to a tenth of what a warning tells.
 constexpr double finest = 0.1;
+/// 1. The model's own extremum is found to 2^-17 of its displacement: a second contact makes it a kink,
+/// beside which a force may change by some N in a micrometre.
+constexpr int model_extremum_bits = 18;
 
 } // namespace
 
@@ -158,9 +161,13 @@ std::optional<LateralBracket> LateralSearch::bracket(const LateralForce& force, 
 /// beside it. Throws InputError where the force is missed by too much.
 std::optional<double> LateralSearch::try_extremum(const LateralForce& force, bool last) {
   const auto misses = [&](const LateralSample& s) { return std::abs(s.force - question_.wanted); };
+  const auto searched = [&](const Point& p) {
+    return std::ranges::any_of(searched_,
+                               [&](double at) { return std::abs(at - p.lateral) <= 0.5 * lateral::spacing; });
+  };
   std::optional<LateralSample> nearest;
   for (const Point& p : curve_.points())
-    if (p.force && (!nearest || misses(p.sample()) < misses(*nearest)))
+    if (p.force && !searched(p) && (!nearest || misses(p.sample()) < misses(*nearest)))
       nearest = p.sample();
   if (!nearest || last)
     refuse(force);
@@ -169,14 +176,22 @@ std::optional<double> LateralSearch::try_extremum(const LateralForce& force, boo
     if (there)
       return there;
   }
-  if (misses(*nearest) > lateral::near * question_.resultant)
+  // On a tread there are many places with almost the same force: each may have an extremum of its own.
+  if (misses(*nearest) > (searched_.empty() ? lateral::near : lateral::uneven) * question_.resultant)
     refuse(force);
+  searched_.push_back(nearest->lateral);
   const double sign = nearest->force < question_.wanted ? 1 : -1, about = nearest->lateral;
+  double best = -sign * nearest->force;
   boost::math::tools::brent_find_minima(
-      [&](double at) { return -sign * try_at(force, at).value_or(nearest->force); },
+      [&](double at) {
+        if (-best >= sign * question_.wanted) // found: no more solutions
+          return best;
+        const double there = -sign * try_at(force, at).value_or(nearest->force);
+        best = std::min(best, there);
+        return there;
+      },
       std::max(about - 0.5 * lateral::spacing, question_.start - lateral::reach),
-      std::min(about + 0.5 * lateral::spacing, question_.start + lateral::reach),
-      LateralCurve::extremum_bits);
+      std::min(about + 0.5 * lateral::spacing, question_.start + lateral::reach), model_extremum_bits);
   return nearest->force;
 }
 

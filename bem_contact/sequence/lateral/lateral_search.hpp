@@ -70,6 +70,8 @@ private:
   Question question_;
   LateralCurve curve_;
   bool surveyed_ = false;
+  std::vector<double>
+      searched_; ///< displacements around which the model has been searched for an extremum, mm
 };
 
 } // namespace bem_contact

@@ -87,6 +87,21 @@ bool foresees_fem(const ContactCase& asked) {
          choose_model(traits_of(asked, *asked.estimate), request_of(asked)).model == model_of_files();
 }
 
+/// One for each area that the estimate has; where nothing touches, at the reference point.
+std::vector<TangentPlane> estimated_planes(const ContactCase& contact) {
+  const WheelRailGeometry& placed = *contact.setup.wheel_rail();
+  std::vector<TangentPlane> out;
+  for (const EstimatedArea& area : estimated_areas(*contact.estimate, pair_compliance(contact.setup))) {
+    const CurvePoint p = placed.pair.rail_at(area.s);
+    if (!out.empty())
+      out.back().s_to = 0.5 * (out.back().at.s + p.s);
+    out.push_back({{p.position, p.s, p.delta, area.x}});
+  }
+  if (out.empty())
+    out.push_back({placed.reference});
+  return out;
+}
+
 /// Files cannot leave these lists empty; a program can.
 void require_quantities(const char* key, std::size_t named) {
   if (named == 0)
@@ -144,6 +159,8 @@ GridPlan first_plan(const ContactCase& contact, const SceneFile::Grid& asked, bo
   } else {
     const auto& rail = contact.files.rail;
     plan = plan_grid(*contact.estimate, asked, rail ? rail->strip().stations.front().s : 0.5 * asked.ds);
+    if (contact.scene.grid.planar)
+      plan.planes = estimated_planes(contact);
     // The estimate is generous: give up rows off the strips, as long as the contact does not need them.
     if (on_strips && !asked.rows && !asked.ms) {
       const auto [first, last] = rows_on_strips(contact, plan);

@@ -298,13 +298,30 @@ EstimatedContact estimated_contact(const ContactEstimate& estimate, const PairCo
   return contact_at(moved, q, compliance);
 }
 
+namespace {
+
+/// The overlap up to which an area does not reach the end of the slices, at most `reach`, mm. A contact that
+/// is long along x is narrower than its overlap, and slices need not reach beyond the contact.
+double uncut_reach(std::span<const RailSlice> slices, std::span<const RailSlice> area,
+                   const RailSlice& deepest, double reach) {
+  double out = reach;
+  if (&area.front() == &slices.front())
+    out = std::min(out, area.front().gap / area.front().cosine);
+  if (&area.back() == &slices.back())
+    out = std::min(out, area.back().gap / area.back().cosine);
+  return deepest.depth(out) > 0 ? out : reach;
+}
+
+} // namespace
+
 std::vector<EstimatedArea> estimated_areas(const ContactEstimate& estimate,
                                            const PairCompliance& compliance) {
   std::vector<EstimatedArea> out;
-  const double width = width_of(estimate.slices), reach = estimate.penetration * estimate.approach;
+  const double width = width_of(estimate.slices), most = estimate.penetration * estimate.approach;
   for_each_area(
       estimate.slices, estimate.lift, estimate.approach, compliance, width,
       [&](std::span<const RailSlice> area, const RailSlice& deepest, const Series& series, double) {
+        const double reach = uncut_reach(estimate.slices, area, deepest, most);
         EstimatedArea& one = out.emplace_back(EstimatedArea{
             .normal = series.force, .x = deepest.x, .half = deepest.half, .depth = deepest.depth(reach)});
         double weights = 0;

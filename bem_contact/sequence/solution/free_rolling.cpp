@@ -19,13 +19,15 @@ bool has_free_rolling(const ContactCase& asked) {
 FreeRolling free_rolling_of(const SceneResult& solved) {
   const SceneMotion& motion = solved.motion;
   return {{motion.xi, solved.result.totals.creepage_x.error},
-          motion.rolling_radius / (1 - motion.xi),
-          motion.contact_radius};
+          motion.rolling.radius_at(motion.xi),
+          motion.contact_radius,
+          motion.rolling.radius};
 }
 
 /// The same with the creepage counted as that of `result` is: placed bodies may have another rolling radius.
 FreeRolling counted_as(const SceneResult& result, FreeRolling free) {
-  free.xi.value = 1 - result.motion.rolling_radius / free.rolling_radius;
+  free.xi.value = result.motion.rolling.xi_at(free.rolling_radius);
+  free.zero_radius = result.motion.rolling.radius;
   return free;
 }
 
@@ -75,7 +77,7 @@ ContactCase beyond_free_rolling(ContactCase asked, const FreeRolling& free, doub
   Creepage& motion = asked.setup.motion.creepage;
   motion.xi = 0;
   if (!asked.scene.motion.pitch_rate) // that of free.xi, wherever the bodies are placed
-    asked.scene.motion.rolling_radius = motion.rolling_radius = free.rolling_radius * (1 - free.xi);
+    asked.scene.motion.rolling_radius = motion.rolling_radius = free.zero_radius;
   motion.slip_x = (free.xi + creepage) * free.contact_radius / motion.rolling_radius;
   asked.setup.motion.force_x.reset();
   return asked;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 
 namespace bem_contact {
 
@@ -21,9 +22,14 @@ constexpr int most_growths = 6;
 /// 1. Columns by which it grows at least, on either side.
 constexpr int fewest_more_columns = 2;
 
+/// 1. After so many growths the grid follows the contact: it grows by as many rows as it has, and gives up
+/// those that the contact has left. Structures that give way may carry a contact by many times its width.
+constexpr int growths_in_place = 2;
+
 /// Sides of the grid that the contact touches.
 struct Touched {
   bool first_row = false, last_row = false, columns = false;
+  int free_first = std::numeric_limits<int>::max(), free_last = free_first; ///< rows without contact
 
   bool any() const { return first_row || last_row || columns; }
 };
@@ -35,6 +41,8 @@ void add_touched(const ContactGrid& grid, const ContactResult& result, Touched& 
         continue;
       out.first_row |= is == 0;
       out.last_row |= is == grid.ms - 1;
+      out.free_first = std::min(out.free_first, is);
+      out.free_last = std::min(out.free_last, grid.ms - 1 - is);
       out.columns |= ix == 0 || ix == grid.mx - 1;
     }
 }
@@ -64,11 +72,21 @@ std::string strip_text(const InfluenceStrip& f) {
       "tangent_plane or halfspace.");
 }
 
+/// Rows to give up at one end, of which the contact has left `free`.
+int left_behind(int free) {
+  return std::max(free - fewest_more_rows, 0);
+}
+
 /// Larger on the sides that the contact touches; up to the ends of the strips, where rows must lie on them.
-/// Throws InputError where a strip ends at the contact already.
-GridPlan grown(const ContactCase& contact, GridPlan plan, const Touched& touched, bool on_strips) {
+/// `follows`: without what the contact has left. Throws InputError where a strip ends at the contact already.
+GridPlan grown(const ContactCase& contact, GridPlan plan, const Touched& touched, bool follows,
+               bool on_strips) {
   const GridPlan solved = plan;
-  const int more_rows = std::max(int(fewest_more_rows), plan.rows / row_growth_share);
+  const int more_rows = follows ? plan.rows : std::max(int(fewest_more_rows), plan.rows / row_growth_share);
+  if (follows) {
+    plan.first += left_behind(touched.free_first);
+    plan.rows -= left_behind(touched.free_first) + left_behind(touched.free_last);
+  }
   if (touched.first_row)
     plan.first -= more_rows;
   plan.rows += (touched.first_row ? more_rows : 0) + (touched.last_row ? more_rows : 0);
@@ -206,7 +224,8 @@ GridSolution solve_on_growing_grid(const ContactCase& asked, ContactOnGrid first
             fmt::format("it still reaches the edge of {} x {} elements", plan.columns, plan.rows),
             "Give a smaller force, larger elements (grid.dx, grid.ds), or rows around the contact "
             "(grid.s_from, grid.s_to).");
-      next = grown(asked, plan, touched, on_strips);
+      const bool open = !grid.rows && !grid.ms;
+      next = grown(asked, plan, touched, open && round >= growths_in_place, on_strips);
     } else if (round < most_growths) {
       next = plan_with_second_area(asked, on_strips, out);
     }

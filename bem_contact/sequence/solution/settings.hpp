@@ -25,6 +25,19 @@ BEM_CONTACT_TUNED(int, cropped_margin, 2);
 BEM_CONTACT_TUNED(int, cropped_margin_of_steps, 1);
 BEM_CONTACT_RELATION(cropped_margin_of_steps <= cropped_margin);
 
+// Planes (grid.planar).
+
+/// rad. A patch's plane is moved where it is inclined by more against the rail, times the patch's share of
+/// the load: the force then turns by no more. Chosen: 0.2 % of the load.
+BEM_CONTACT_TUNED(double, plane_turn_of_force, 0.002);
+/// rad. A patch whose plane is inclined by more against the rail is refused: its force would turn by 2 %.
+BEM_CONTACT_TUNED(double, largest_plane_turn, 0.02);
+/// 1. Share of the load of a patch whose plane may have any inclination. Chosen.
+BEM_CONTACT_TUNED(double, negligible_patch, 0.01);
+/// 1. Planes are moved so often at most. Chosen: two or three moves are usual.
+BEM_CONTACT_TUNED(int, most_plane_moves, 10);
+BEM_CONTACT_RELATION(plane_turn_of_force <= largest_plane_turn);
+
 // Start from the case before.
 
 /// 1. Two areas are the same contact if they overlap by this share of the smaller one.

@@ -112,7 +112,7 @@ void add_creepages(const ContactSetup& setup, SceneResult& out) {
     return;
   const Creepage last = motion.steps.empty() ? motion.creepage : motion.creepage_of(motion.steps.back());
   const double per_slip =
-      out.motion.contact_radius > 0 ? out.motion.rolling_radius / out.motion.contact_radius : 1.0;
+      out.motion.contact_radius > 0 ? out.motion.rolling.radius / out.motion.contact_radius : 1.0;
   out.motion.xi = last.xi + per_slip * (last.slip_x + out.result.totals.creepage_x);
   out.motion.eta = last.eta + out.result.totals.creepage_s;
   out.motion.phi = last.phi;
@@ -143,7 +143,7 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   out.motion.reference = asked.setup.reference();
   if (const WheelRailGeometry* placed = asked.setup.wheel_rail()) {
     out.motion.lateral = asked.scene.position.lateral;
-    out.motion.rolling_radius = asked.setup.motion.creepage.rolling_radius;
+    out.motion.rolling = rolling_speed(placed->pair, out.motion.reference, asked.setup.motion.creepage);
     out.motion.contact_radius = contact_radius(placed->pair, out.problem, out.result);
     out.bodies.rail_geometry = placed->pair.rail.digest();
     out.bodies.wheel_geometry = placed->pair.wheel.digest();
@@ -214,9 +214,10 @@ std::optional<Measured> free_creepage_if_asked(PlacedSolution& placed, const Sol
 FreeRolling free_rolling_at(const ContactCase& asked, const Measured& found, const SceneResult& solved) {
   const Creepage& given = asked.setup.motion.creepage;
   const double per_slip =
-      solved.motion.contact_radius > 0 ? solved.motion.rolling_radius / solved.motion.contact_radius : 1.0;
+      solved.motion.contact_radius > 0 ? solved.motion.rolling.radius / solved.motion.contact_radius : 1.0;
   const double xi = (asked.scene.motion.pitch_rate ? given.xi : 0) + per_slip * (given.slip_x + found);
-  return {{xi, found.error}, solved.motion.rolling_radius / (1 - xi), solved.motion.contact_radius};
+  const RollingSpeed& rolling = solved.motion.rolling;
+  return {{xi, found.error}, rolling.radius_at(xi), solved.motion.contact_radius, rolling.radius};
 }
 
 SceneResult recorded(PlacedSolution placed, const ModelChoice& choice, const SolveResources& resources) {

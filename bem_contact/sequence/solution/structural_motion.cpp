@@ -3,7 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/sequence/models.hpp"
-#include "bem_contact/sequence/solution/grow_grid.hpp"
+#include "bem_contact/sequence/solution/tangent_planes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -191,8 +191,8 @@ void solve_where_placed(ContactCase placed, const SceneFile::Grid& grid, const S
       former_of(out.solved.model, out.solved.contact.problem, out.solved.result, *out.asked.estimate);
   const bool start = former && alike(potential_areas(*placed.estimate), former->areas);
   WorkBudget work = resources.work.another();
-  out.solved = solve_on_growing_grid(placed, std::move(contact), task,
-                                     resources.with(work, start ? &*former : nullptr), on_strips);
+  out.solved = solve_on_tangent_planes(placed, std::move(contact), task,
+                                       resources.with(work, start ? &*former : nullptr), on_strips);
   out.solved.seconds += spent;
   out.asked = std::move(placed);
 }
@@ -208,7 +208,7 @@ PlacedSolution solve_on_placed_bodies(const ContactCase& asked, const SceneFile:
                                       ContactOnGrid first, const SolveTask& task,
                                       const SolveResources& resources) {
   const bool on_strips = has_files(task.model);
-  PlacedSolution out{asked, solve_on_growing_grid(asked, std::move(first), task, resources, on_strips),
+  PlacedSolution out{asked, solve_on_tangent_planes(asked, std::move(first), task, resources, on_strips),
                      structures_of(asked, task.model)};
   const bool by_contact = is_placed_by_contact(asked.scene) && !is_closed_form(task.model);
   if (by_contact && !out.structure)

@@ -14,8 +14,8 @@ struct PlacedSolution {
   std::optional<StructuralResult> structure; ///< nothing where no body's structure gives way
 };
 
-/// solve_on_growing_grid(), and after it, if structural compliance is included (fem) and the scene wants the
-/// bodies placed (solver.structural_motion):
+/// solve_on_tangent_planes(), and after it, if structural compliance is included (fem) and the scene wants
+/// the bodies placed (solver.structural_motion):
 /// 1. the force of the contact on each body gives its structural motion (influence/structure.hpp);
 /// 2. the bodies are moved by it and the wheel is lowered until it touches; contact points, gap and rigid
 ///    slip are found anew;
@@ -25,7 +25,7 @@ struct PlacedSolution {
 /// surfaces in contact slide past each other.
 /// This is repeated until the contact moves by less than position_tolerance. Placed are bodies of a wheel on
 /// a rail in steady rolling or without friction. Throws ConvergenceError where the bodies do not come to
-/// rest, and what solve_on_growing_grid() throws.
+/// rest, and what solve_on_tangent_planes() throws.
 PlacedSolution solve_on_placed_bodies(const ContactCase& asked, const SceneFile::Grid& grid,
                                       ContactOnGrid first, const SolveTask& task,
                                       const SolveResources& resources);

@@ -149,7 +149,8 @@ std::vector<CreepPoint> points_by(Sequence& sequence, const SceneFile& given, co
   std::vector<CreepPoint> out;
   for (const Creepages& at : points) {
     const SceneResult r = sequence.solve(scene_at(scene, held.offset, at), stop);
-    out.push_back({0, forces_of(r), r.result.totals.adhesion_share, r.result.trust.certificate.holds()});
+    out.push_back({0, forces_of(r), coarse_forces_of(r), r.result.totals.adhesion_share,
+                   r.result.trust.certificate.holds()});
   }
   return out;
 }
@@ -174,14 +175,14 @@ CreepDerivatives derivatives(std::span<const CreepPoint> points, const Creepages
   const double gain = std::pow(2, order) - 1;
   for (const CreepKind kind : kinds) {
     const std::size_t k = index(kind);
-    const auto slope = [&](std::size_t which, std::size_t i) {
+    const auto slope = [&](std::size_t which, std::size_t i, const auto& of) {
       const CreepPoint* up = &points[2 * (std::size(step_shares) * k + which)];
-      return (up[0].forces[i] - up[1].forces[i]) / (2 * step_shares[which] * steps[k]);
+      return ((up[0].*of)[i] - (up[1].*of)[i]) / (2 * step_shares[which] * steps[k]);
     };
     for (std::size_t i = 0; i < out.values.size(); ++i) {
-      const double whole = slope(0, i), half = slope(1, i);
+      const double whole = slope(0, i, &CreepPoint::forces), half = slope(1, i, &CreepPoint::forces);
       out.values[i][k] = half + (half - whole) / gain;
-      out.errors[i][k] = std::abs(half - whole);
+      out.errors[i][k] = std::abs(half - whole) + std::abs(whole - slope(0, i, &CreepPoint::coarse));
     }
   }
   return out;

@@ -42,6 +42,7 @@ struct CreepRange {
 struct CreepPoint {
   double creepage = 0;          ///< the one that varies
   MeasuredCreepForces forces{}; ///< with their stated errors
+  CreepForceValues coarse{};    ///< coarse_forces_of() it
   double adhesion_share = 0;    ///< of the area in contact
   bool certified = false;       ///< the certificate holds
 };
@@ -55,7 +56,9 @@ struct CreepCurve {
 /// Derivatives by central differences, from steps h and h/2.
 struct CreepDerivatives {
   CreepMatrix values{}; ///< of the forces by the creepages
-  CreepMatrix errors{}; ///< how far both steps are apart
+  /// By the size of the elements and of the steps: how far the derivatives on elements twice as large lie
+  /// from these, and those of both steps from each other. nan where larger elements have no solution.
+  CreepMatrix errors{};
 };
 
 /// The forces of a contact over its creepages.

@@ -68,7 +68,7 @@ record::Table table_of(const CreepCurve& curve) {
 }
 
 Record record_of(const CreepCurves& c) {
-  constexpr const char* by_step = "by the step of the differences";
+  constexpr const char* by_elements = "by the size of the elements and of the differences' steps";
   Record curves;
   for (const CreepCurve& curve : c.curves)
     curves.add(std::string(name_of(curve.which)), table_of(curve));
@@ -85,10 +85,10 @@ Record record_of(const CreepCurves& c) {
        field({rigid.begin(), rigid.end()}, "1, 1, 1/mm",
              "xi, eta, phi of the scene's rigid slip, with those that the geometry makes")},
       {"slopes", matrix(&c.slopes.values, "[Fx, Fs, Mz][xi, eta, phi] where nothing moves over the other")},
-      {"slopes_error", matrix(&c.slopes.errors, by_step)},
+      {"slopes_error", matrix(&c.slopes.errors, by_elements)},
       {"sensitivities",
        matrix(&c.sensitivities.values, "[Fx, Fs, Mz][xi, eta, phi] at the scene's creepages")},
-      {"sensitivities_error", matrix(&c.sensitivities.errors, by_step)},
+      {"sensitivities_error", matrix(&c.sensitivities.errors, by_elements)},
       {"linearised", matrix(c.linearised ? &*c.linearised : nullptr,
                             "the sensitivities from one linear system, with the pressure held")},
       {"kalker", matrix(c.linear ? &c.linear->slopes : nullptr,

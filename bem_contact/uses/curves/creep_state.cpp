@@ -11,6 +11,15 @@ MeasuredCreepForces forces_of(const SceneResult& result) {
   return out;
 }
 
+CreepForceValues coarse_forces_of(const SceneResult& result) {
+  const std::optional<Discretisation>& estimate = result.result.trust.discretisation;
+  if (!estimate || !estimate->converges)
+    return {unknown_error, unknown_error, unknown_error};
+  const ContactTotals& coarse = estimate->coarse;
+  const ReferencePoint& at = result.motion.reference;
+  return {coarse.Fx, coarse.Fs, coarse.Mz + at.position.y * coarse.Fx - at.x * coarse.Fy};
+}
+
 Creepages rigid_creepages(const SceneResult& r) {
   const ContactGrid& grid = r.problem.grid;
   // Weighted sums: 1, x, s, their squares, the slips, and slips times the other coordinate.

@@ -32,6 +32,9 @@ using CreepMatrix = std::array<std::array<double, 3>, 3>;
 /// The forces of a result, with the errors that the size of the elements is estimated to cause.
 MeasuredCreepForces forces_of(const SceneResult& result);
 
+/// The same forces on elements twice as large; nan where those have no solution.
+CreepForceValues coarse_forces_of(const SceneResult& result);
+
 /// The creepages whose rigid slip is nearest to that of the result, in the mean square over the contact,
 /// weighted by the pressure. Those that a scene gives are among them, and those of the geometry.
 Creepages rigid_creepages(const SceneResult& result);

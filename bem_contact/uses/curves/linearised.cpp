@@ -11,15 +11,29 @@ namespace bem_contact {
 
 namespace {
 
+/// The planes in which these rows lie.
+std::vector<TangentPlane> planes_of(const std::vector<ContactRow>& rows) {
+  std::vector<TangentPlane> out;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i > 0 && rows[i].delta == rows[i - 1].delta)
+      continue;
+    if (i > 0)
+      out.back().s_to = 0.5 * (rows[i - 1].s + rows[i].s);
+    out.push_back({{rows[i].position, rows[i].s, rows[i].delta}});
+  }
+  return out;
+}
+
 /// The plan of the grid on which the result was found.
-GridPlan plan_of(const SceneResult& r) {
+GridPlan plan_of(const SceneResult& r, bool planar) {
   const ContactGrid& grid = r.problem.grid;
   return {.origin = r.problem.rows.front().s,
           .rows = grid.ms,
           .columns = grid.mx,
           .dx = grid.dx,
           .ds = grid.ds,
-          .x_centre = grid.x0 + 0.5 * (grid.mx - 1) * grid.dx};
+          .x_centre = grid.x0 + 0.5 * (grid.mx - 1) * grid.dx,
+          .planes = planar ? planes_of(r.problem.rows) : std::vector<TangentPlane>()};
 }
 
 /// Rigid slip on that grid with one creepage changed.
@@ -66,7 +80,7 @@ std::optional<CreepMatrix> linearised_sensitivities(const SceneFile& scene, cons
                                                     const Creepages& steps, SequenceFiles& files) {
   if (is_closed_form(result.choice.model) || result.structure || !result.problem.is_coulomb())
     return std::nullopt;
-  const GridPlan plan = plan_of(result);
+  const GridPlan plan = plan_of(result, scene.grid.planar);
   const ContactCase asked = prepare_case(scene, files);
   ContactOnGrid on = asked.setup.on(plan);
   on.problem.numbers = pair_numbers(result.choice.model, asked.setup, asked.files, on);

@@ -54,10 +54,10 @@ double deepest(const DepthOverS& body) {
 } // namespace
 
 WearRates rates_of(const SceneResult& result, const Wear& wear, double axle_force) {
-  if (!(result.motion.rolling_radius > 0))
+  if (!(result.motion.rolling.radius > 0))
     throw InputError("There is no wear by kilometre of a patch", "it has no wheel, whose radius would count",
                      "Give a scene of a wheel on a rail.");
-  const double turn = 2 * std::numbers::pi * result.motion.rolling_radius / (1 - result.motion.xi); // mm
+  const double turn = 2 * std::numbers::pi * result.motion.rolling.radius_at(result.motion.xi); // mm
   const double mass = axle_force / (standard_gravity / 1000) / tonne; // t: m/s^2 of mm/s^2
   const double depth = deepest(wear.rail), area = wear.rail.area(), by_mgt = million / mass;
   return {.t_gamma = quantity("T_gamma").value(result),

@@ -211,6 +211,19 @@ public:
 
   bool lifts() const { return lifts_; } ///< whether a wheel lifted where a force was asked for last
   const Equilibrium& last() const { return *last_; } ///< once there is one
+  /// Change of the force with the displacement, N/mm, from there to the nearest one with a force that differs
+  /// by `telling`, N. Nothing where no such one was tried.
+  std::optional<double> slope_at(double lateral, double telling) const {
+    const auto there = std::ranges::find(known_, lateral, &Known::lateral);
+    const Known* nearest = nullptr;
+    for (const Known& k : known_)
+      if (there != known_.end() && there->force && k.force && std::abs(*k.force - *there->force) >= telling &&
+          (!nearest || std::abs(k.lateral - lateral) < std::abs(nearest->lateral - lateral)))
+        nearest = &k;
+    if (!nearest || std::abs(nearest->lateral - lateral) > largest_lateral_step)
+      return std::nullopt;
+    return (*nearest->force - *there->force) / (nearest->lateral - lateral);
+  }
   const EquilibriumStart& near(double lateral) const {
     return std::ranges::min_element(known_, {}, [&](const Known& k) { return std::abs(k.lateral - lateral); })
         ->start;
@@ -273,15 +286,26 @@ private:
   double wanted_, curve_force_;
 };
 
+/// An equilibrium under wheelset.force_y.
+struct AtLateralForce {
+  Equilibrium equilibrium;
+  std::optional<double>
+      slope; ///< of the lateral force by the displacement there, N/mm, if the search tells it
+};
+
 /// How far the displacement is off where the forces are off by their stated errors, mm. Where these are not
-/// known: by what larger elements change, and no less than forces are uneven by.
-double error_of_lateral(RoughSearch& rough, const WheelsetState& found, double resultant) {
+/// known: by what larger elements change, and no less than forces are uneven by. Half-spaces tell the slope
+/// where the search does not: bodies with structures stand elsewhere on the curve under the same force.
+double error_of_lateral(RoughSearch& rough, const AtLateralForce& solved, double resultant) {
+  const WheelsetState& found = solved.equilibrium.state;
   const Quantity& lateral = quantity("Fy");
   double error = std::hypot(lateral.error(found.right), lateral.error(found.left));
   const double at = found.pose.lateral;
   if (std::isnan(error))
     error = std::max(lateral::uneven * resultant,
                      std::abs(rough.force(at).value_or(found.sum().force[1]) - found.sum().force[1]));
+  if (solved.slope)
+    return std::min(error / std::abs(*solved.slope), double(lateral::reach));
   return lateral_spread([&](double y) { return rough.force(y); }, at, error, resultant).error;
 }
 
@@ -300,9 +324,8 @@ bool too_coarse(const SceneFile& scene, const WheelsetState& s) {
   return scene.grid.accuracy && (coarse(s.right) || coarse(s.left));
 }
 
-/// The equilibrium under wheelset.force_y.
-Equilibrium at_lateral_force(EquilibriumFinder& finder, const EquilibriumStart& start,
-                             const LateralRoot& guess) {
+AtLateralForce at_lateral_force(EquilibriumFinder& finder, const EquilibriumStart& start,
+                                const LateralRoot& guess) {
   const SceneFile::Wheelset& given = finder.scene().wheelset;
   const double resultant = std::hypot(*given.force, *given.force_y);
   Follower follower(finder, guess.lateral, start, equilibrium_tolerance / 10);
@@ -310,7 +333,7 @@ Equilibrium at_lateral_force(EquilibriumFinder& finder, const EquilibriumStart& 
   const double lateral = solve_lateral_force(force, *given.force_y, guess, lateral_balance * resultant);
   if (follower.last().state.pose.lateral != lateral)
     follower.required_force(lateral);
-  return follower.last();
+  return {follower.last(), follower.slope_at(lateral, lateral::uneven * resultant)};
 }
 
 void add_warnings(const SceneFile& scene, WheelsetResult& out) {
@@ -408,22 +431,23 @@ WheelsetResult solve_wheelset(const SceneFile& given, const std::atomic<bool>* s
   if (scene.wheelset.force_y)
     rough.emplace(scene, stop, files);
   RoughPlace place = first_place(finder, rough ? &*rough : nullptr);
-  std::optional<Equilibrium> found;
+  std::optional<AtLateralForce> solved;
   for (int round = 1;; ++round) {
-    found = rough ? at_lateral_force(finder, place.start, place.guess)
-                  : finder.at(place.guess.lateral, place.start, equilibrium_tolerance);
-    if (round == most_element_rounds || !too_coarse(scene, found->state))
+    solved = rough ? at_lateral_force(finder, place.start, place.guess)
+                   : AtLateralForce{finder.at(place.guess.lateral, place.start, equilibrium_tolerance), {}};
+    const Equilibrium& found = solved->equilibrium;
+    if (round == most_element_rounds || !too_coarse(scene, found.state))
       break;
-    finder.choose_elements_again(found->state.pose);
-    place.start = found->start();
-    place.guess.lateral = found->state.pose.lateral;
+    finder.choose_elements_again(found.state.pose);
+    place.start = found.start();
+    place.guess.lateral = found.state.pose.lateral;
   }
-  WheelsetResult out{
-      .state = std::move(found->state), .residual = found->residual, .curve = curve_demand(scene)};
+  const Equilibrium& found = solved->equilibrium;
+  WheelsetResult out{.state = found.state, .residual = found.residual, .curve = curve_demand(scene)};
   if (rough) {
     const double wanted = *scene.wheelset.force_y, force = *scene.wheelset.force;
     out.lateral_residual = std::abs(out.state.sum().force[1] - wanted) / force;
-    out.lateral_error = error_of_lateral(*rough, out.state, std::hypot(force, wanted));
+    out.lateral_error = error_of_lateral(*rough, *solved, std::hypot(force, wanted));
   }
   out.contact_problems = finder.contact_problems() + (rough ? rough->contact_problems() : 0);
   add_warnings(scene, out);

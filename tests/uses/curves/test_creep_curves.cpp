@@ -48,6 +48,21 @@ TEST(CreepCurves, SlopesAtZeroGoToKalkersCoefficients) {
   }
 }
 
+/// The stated errors of derivatives are those of the elements: the limit lies within them, and they shrink.
+TEST(CreepCurves, ErrorsOfSlopesHold) {
+  for (const double curvature : {2e-3, 1e-3})
+    for (const int across : {14, 20, 28}) {
+      const CreepCurves c = curves(hertz(across, curvature));
+      for (const auto& [f, k] : {std::pair(Fx, xi), {Fs, eta}, {Fs, phi}, {Mz, eta}, {Mz, phi}}) {
+        const double true_error = std::abs(c.slopes.values[f][k] - c.linear->slopes[f][k]);
+        // Kalker's table has four digits.
+        EXPECT_LE(true_error, c.slopes.errors[f][k] + 2e-3 * std::abs(c.linear->slopes[f][k]))
+            << curvature << " " << across << " " << f << k;
+        EXPECT_LT(c.slopes.errors[f][k], 0.2 * std::abs(c.slopes.values[f][k]));
+      }
+    }
+}
+
 TEST(CreepCurves, TheEllipseIsHertzs) {
   const CreepCurves c = curves(hertz(20, 1e-3));
   ASSERT_TRUE(c.linear);

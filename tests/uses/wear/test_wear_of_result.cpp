@@ -169,7 +169,7 @@ TEST(WearOfResult, RefusesWhatDoesNotRoll) {
 /// axles, and axles of 20 t are 50000 by a million tonnes.
 TEST(WearOfResult, RatesByKilometreAxlesAndTonnes) {
   SceneResult r = made_by_hand(10, 200, 0.025);
-  r.motion.rolling_radius = 460;
+  r.motion.rolling.radius = 460;
   const WearRates w = rates_of(r, wear_of(r, EnergyLaw{}), 20e3 * 9.80665);
   EXPECT_NEAR(1 / w.wheel_depth, 85, 0.2);
   EXPECT_NEAR(w.wheel_area, 0.5 * w.wheel_depth, 1e-12); // one row, 0.5 mm wide
@@ -182,7 +182,7 @@ TEST(WearOfResult, RatesByKilometreAxlesAndTonnes) {
   const record::Record said = record_of(w, wear_of(r, EnergyLaw{}));
   EXPECT_EQ(record::number_at(said, "rail_depth_per_mgt"), w.mgt_rail_depth);
   EXPECT_NEAR(record::number_at(said, "rows/0/wheel_depth_per_km").value(), w.wheel_depth, 1e-15);
-  r.motion.rolling_radius = 0;
+  r.motion.rolling.radius = 0;
   EXPECT_THROW(rates_of(r, wear_of(r, EnergyLaw{}), 1e5), InputError) << "a patch has no wheel";
 }
 
