@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/vfs.h>
 #include <unistd.h>
@@ -171,6 +172,18 @@ void remove_leftovers(const fs::path& file, const std::string& ending) {
   }
 }
 
+/// What a name leads to after a crash of the machine must be whole, too: bytes reach the disk before the name
+/// does. Some file systems cannot be asked, and keep what they have.
+void put_on_disk(const fs::path& written, const fs::path& file) {
+  const int descriptor = open(written.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool failed = descriptor >= 0 && fsync(descriptor) != 0 && errno != EINVAL && errno != ENOSYS;
+  const std::string why = last_error("it cannot be put on the disk");
+  if (descriptor >= 0)
+    close(descriptor);
+  if (failed)
+    fail(file, why);
+}
+
 } // namespace
 
 void require_outputs(const std::vector<fs::path>& inputs, const std::vector<Output>& outputs) {
@@ -241,6 +254,7 @@ void WholeFile::commit() const {
   struct stat before {};
   if (stat(file_.c_str(), &before) == 0)
     chmod(temporary_.c_str(), before.st_mode & 07777);
+  put_on_disk(temporary_, file_);
   std::error_code failed;
   fs::rename(temporary_, file_, failed);
   if (failed)

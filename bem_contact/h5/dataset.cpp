@@ -135,8 +135,10 @@ bool is_whole_chunk(hid_t set, const hsize_t* at, const Chunks& chunks, const Fi
                                            static_cast<std::size_t>(chunks.whole))) == chunks.whole;
 }
 
-/// Whether each is. It ends at the first that is not, so looks at no more than were stored.
-bool are_whole_chunks(hid_t set, hid_t list, const std::vector<hsize_t>& shape, const Filters& filters) {
+/// Whether each is, or of a line each that has some of the rows. It ends at the first that is not, so looks
+/// at no more than were stored.
+bool are_whole_chunks(hid_t set, hid_t list, std::vector<hsize_t> shape, const Filters& filters,
+                      std::optional<Rows> rows) {
   Chunks chunks{std::vector<hsize_t>(shape.size()), 0, H5Dget_storage_size(set)};
   const int rank = static_cast<int>(shape.size());
   if (H5Pget_chunk(list, rank, chunks.shape.data()) != rank)
@@ -145,6 +147,12 @@ bool are_whole_chunks(hid_t set, hid_t list, const std::vector<hsize_t>& shape, 
   if (chunks.whole > most_deflated * static_cast<double>(chunks.stored))
     return false;
   std::vector<hsize_t> at(shape.size(), 0);
+  if (rows && rank == 1) {
+    at[0] = rows->first / chunks.shape[0] * chunks.shape[0];
+    shape[0] = std::min<hsize_t>(shape[0], rows->last);
+    if (at[0] >= shape[0])
+      return true;
+  }
   for (std::size_t axis = 0; axis < shape.size();) {
     if (axis == 0 && !is_whole_chunk(set, at.data(), chunks, filters))
       return false;
@@ -158,7 +166,7 @@ bool are_whole_chunks(hid_t set, hid_t list, const std::vector<hsize_t>& shape, 
 }
 
 /// Why HDF5 may not read it; "": it may.
-std::string fault_of(hid_t set) {
+std::string fault_of(hid_t set, std::optional<Rows> rows) {
   const H5Handle list(H5Dget_create_plist(set), H5Pclose);
   const H5D_layout_t layout = H5Pget_layout(list);
   if (layout == H5D_VIRTUAL || (layout == H5D_CONTIGUOUS && H5Pget_external_count(list) != 0))
@@ -174,19 +182,19 @@ std::string fault_of(hid_t set) {
     return filters.fault;
   if (declared > (filters.deflate >= 0 ? most_deflated : 1) * stored || stored > static_cast<double>(file))
     return fmt::format("has {:.0f} bytes, of which {:.0f} are stored in {}", declared, stored, file);
-  if (layout == H5D_CHUNKED && declared > 0 && !are_whole_chunks(set, list, shape, filters))
+  if (layout == H5D_CHUNKED && declared > 0 && !are_whole_chunks(set, list, shape, filters, rows))
     return "has a chunk that is missing or not as long as it must be";
   return "";
 }
 
 } // namespace
 
-H5Handle open_dataset(hid_t at, const std::string& path) {
+H5Handle open_dataset(hid_t at, const std::string& path, std::optional<Rows> rows) {
   if (!lies_here(at, path))
     refuse(at, path, "is a link to another place");
   H5Handle set(H5Dopen2(at, path.c_str(), H5P_DEFAULT), H5Dclose);
   if (set >= 0)
-    if (const std::string fault = fault_of(set); !fault.empty())
+    if (const std::string fault = fault_of(set, rows); !fault.empty())
       refuse(set, path, fault);
   return set;
 }

@@ -195,11 +195,15 @@ void write_entries(hid_t root, const H5Table& table, const std::filesystem::path
   write_attributes(root, table, file);
 }
 
+/// 1. Chosen: the quickest of the nine.
+constexpr unsigned deflate_level = 1;
+
 bool write_empty_line(hid_t root, const std::string& name, std::size_t size) {
-  const hsize_t extent = size;
+  const hsize_t extent = size, chunk = std::min(size, rows_of_a_chunk);
   const H5Handle list = without_times(H5P_DATASET_CREATE);
-  H5Pset_alloc_time(list, H5D_ALLOC_TIME_EARLY);
-  H5Pset_fill_time(list, H5D_FILL_TIME_NEVER);
+  if (size > 0 && (H5Pset_chunk(list, 1, &chunk) < 0 || H5Pset_shuffle(list) < 0 ||
+                   H5Pset_deflate(list, deflate_level) < 0 || H5Pset_fletcher32(list) < 0))
+    return false;
   const H5Handle space(H5Screate_simple(1, &extent, nullptr), H5Sclose);
   return make_groups(root, name) &&
          H5Handle(H5Dcreate2(root, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, list, H5P_DEFAULT),
@@ -234,7 +238,7 @@ bool write_rows(hid_t root, const std::string& name, std::size_t first, std::spa
 }
 
 std::optional<std::size_t> numbers_in(hid_t root, const std::string& name) {
-  const H5Handle set = open_dataset(root, name);
+  const H5Handle set = open_dataset(root, name, Rows{});
   const H5Handle space(set >= 0 ? H5Dget_space(set) : -1, H5Sclose);
   if (space < 0 || H5Sget_simple_extent_ndims(space) > 1)
     return std::nullopt;
@@ -242,7 +246,7 @@ std::optional<std::size_t> numbers_in(hid_t root, const std::string& name) {
 }
 
 bool read_rows(hid_t root, const std::string& name, std::size_t first, std::span<double> values) {
-  const H5Handle set = open_dataset(root, name);
+  const H5Handle set = open_dataset(root, name, Rows{first, first + values.size()});
   return set >= 0 && (values.empty() || for_rows(set, first, values.size(), [&](hid_t memory, hid_t file) {
                         return H5Dread(set, H5T_NATIVE_DOUBLE, memory, file, H5P_DEFAULT, values.data());
                       }));

@@ -17,7 +17,8 @@ void check_writing(bool success, const std::filesystem::path& file, const std::s
 /// Writes all datasets, texts and attributes; groups come into being with them. `file` is for messages.
 void write_entries(H5Id root, const H5Table& table, const std::filesystem::path& file);
 
-/// Makes a dataset of so many numbers in one dimension, and writes some of them. False where HDF5 fails.
+/// Makes a dataset of so many numbers in one dimension, in deflated chunks (rows_of_a_chunk), and writes some
+/// of them. False where HDF5 fails.
 bool write_empty_line(H5Id root, const std::string& name, std::size_t size);
 bool write_rows(H5Id root, const std::string& name, std::size_t first, std::span<const double> values);
 /// The attributes of a dataset that say what it is.

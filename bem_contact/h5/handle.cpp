@@ -17,6 +17,15 @@ std::recursive_mutex& one_at_a_time() {
 
 } // namespace
 
+H5Handle open_h5(const std::filesystem::path& file, H5Access access) {
+  const H5Handle list(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  const bool change = access == H5Access::change;
+  H5Pset_file_locking(list, false, true);
+  if (change) // headers with checksums, as those of an image
+    H5Pset_libver_bounds(list, H5F_LIBVER_V18, H5F_LIBVER_V18);
+  return {H5Fopen(file.c_str(), change ? H5F_ACC_RDWR : H5F_ACC_RDONLY, list), H5Fclose};
+}
+
 QuietHdf5::QuietHdf5() : turn_(one_at_a_time()) {
   H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

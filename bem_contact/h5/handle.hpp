@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <mutex>
 #include <utility>
 
@@ -20,11 +21,18 @@ public:
       close_(id_);
   }
   operator H5Id() const { return id_; } // NOLINT: the C API takes ids everywhere
+  H5Id release() { return std::exchange(id_, -1); }
 
 private:
   H5Id id_;
   int (*close_)(H5Id);
 };
+
+enum class H5Access { read, change };
+
+/// Opens a file without a lock, which some file systems of clusters do not have. Files of ours need none:
+/// they are whole or not there (base/output_file.hpp), and one that is still being written has another name.
+H5Handle open_h5(const std::filesystem::path& file, H5Access access);
 
 /// Everything that calls HDF5 holds one of these. The library is not made for several threads, so that one
 /// call waits for another here. It prints its error stack by default; while this lives, return values alone

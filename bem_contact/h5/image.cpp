@@ -19,13 +19,6 @@ void check(bool good, const char* what) {
                      "Close other programs, or write a smaller file.");
 }
 
-/// The buffer grows in steps; where the file ends is said by its superblock (version 2 or 3, byte 28).
-std::size_t end_of_file(const char* superblock) {
-  std::uint64_t end = 0;
-  std::memcpy(&end, superblock + 28, sizeof end);
-  return static_cast<std::size_t>(end);
-}
-
 // The memory of HDF5's core driver goes through these, so that it can be taken when the file is
 // closed: H5Fget_file_image of 1.10 gives a superblock whose checksum does not hold.
 void* allocate(size_t size, H5FD_file_image_op_t, void*) {
@@ -53,6 +46,12 @@ herr_t keep(void*) {
 
 } // namespace
 
+std::size_t end_of_file(const char* superblock) { // of version 2 or 3
+  std::uint64_t end = 0;
+  std::memcpy(&end, superblock + superblock_bytes - sizeof end, sizeof end);
+  return static_cast<std::size_t>(end);
+}
+
 H5Image::H5Image(const H5ImageForm& form, const std::function<void(H5Id root)>& fill) {
   const H5F_libver_t layout = form.checksums ? H5F_LIBVER_V110 : H5F_LIBVER_V18;
   H5FD_file_image_callbacks_t callbacks{allocate, copy, reallocate, take, share, keep, &memory_};
@@ -70,7 +69,7 @@ H5Image::H5Image(const H5ImageForm& form, const std::function<void(H5Id root)>& 
     check(H5Fflush(root, H5F_SCOPE_GLOBAL) >= 0, "flushing a file in memory");
   }
   check(memory_ != nullptr, "closing a file in memory");
-  size_ = end_of_file(memory_.get() + form.user_block);
+  size_ = end_of_file(memory_.get() + form.user_block); // the buffer grows in steps, and is longer
 }
 
 std::ostream& operator<<(std::ostream& out, const H5Image& image) {

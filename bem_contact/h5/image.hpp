@@ -11,6 +11,11 @@
 
 namespace bem_contact {
 
+/// bytes. What a superblock of layout 1.8 and later takes, as far as end_of_file() reads it.
+inline constexpr std::size_t superblock_bytes = 36;
+/// Where the file ends that begins with this superblock.
+std::size_t end_of_file(const char* superblock);
+
 struct H5ImageForm {
   std::size_t user_block = 0; ///< bytes, zeros, before the file
   /// Whether the layout is that of HDF5 1.10: there the place of a dataset's only chunk lies in its header,

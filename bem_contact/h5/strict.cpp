@@ -59,7 +59,7 @@ void check(bool success, std::string_view what) {
 }
 
 Handle open_file(const std::filesystem::path& file) {
-  return {H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "opening '" + file.string() + "'"};
+  return {open_h5(file, H5Access::read), "opening '" + file.string() + "'"};
 }
 
 bool has(hid_t at, const char* name) {

@@ -8,6 +8,7 @@
 #include "bem_contact/h5/image.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fcntl.h>
 #include <functional>
@@ -36,7 +37,7 @@ H5Handle opened(const std::filesystem::path& file) {
                      file_exists(file) ? "it is a folder or a device" : "there is no such file",
                      file_exists(file) ? "Name a file, such as wear.h5 in the folder of bem_contact wear."
                                        : "Check the path.");
-  H5Handle root(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  H5Handle root = open_h5(file, H5Access::read);
   if (root < 0)
     refuse_reading(file);
   return root;
@@ -134,9 +135,16 @@ H5Table read_h5_top(const std::filesystem::path& file, const std::string& but) {
 }
 
 struct H5Writer::Impl {
+  /// A dataset that grows. A chunk is written once it is full, because it is deflated as a whole.
+  struct Line {
+    std::size_t size = 0, written = 0;
+    std::vector<double> next = {}; ///< not written yet
+  };
+
   WholeFile whole;
   int descriptor = -1;
   hid_t root = -1;
+  std::map<std::string, Line> lines;
 
   explicit Impl(const std::filesystem::path& file)
       : whole(output_target(file, OutputForm::whole_file).file) {}
@@ -162,6 +170,24 @@ struct H5Writer::Impl {
     const int error = posix_fallocate(descriptor, static_cast<off_t>(used), static_cast<off_t>(bytes));
     check(error == 0, std::generic_category().message(error));
   }
+
+  /// As in an image: a chunk in the older layout takes kilobytes besides, and its place has no checksum.
+  void ask_for_checksums() const { H5Fset_libver_bounds(root, H5F_LIBVER_V110, H5F_LIBVER_V110); }
+
+  void write_chunk(const std::string& name, Line& line) const {
+    reserve(line.next.size(), 1);
+    check(write_rows(root, name, line.written, line.next), "dataset " + name);
+    line.written += std::exchange(line.next, {}).size();
+  }
+
+  /// Gives back what was reserved and is not needed: most of a small file.
+  void cut_off_reserve() const {
+    std::array<char, superblock_bytes> superblock{};
+    const bool read =
+        pread(descriptor, superblock.data(), superblock.size(), 0) == static_cast<ssize_t>(superblock.size());
+    check(read && ftruncate(descriptor, static_cast<off_t>(end_of_file(superblock.data()))) == 0,
+          "its end cannot be cut off");
+  }
 };
 
 H5Writer::H5Writer(const std::filesystem::path& file) : impl_(std::make_unique<Impl>(file)) {
@@ -169,11 +195,8 @@ H5Writer::H5Writer(const std::filesystem::path& file) : impl_(std::make_unique<I
   const std::filesystem::path& temporary = impl_->whole.temporary();
   const H5Image empty({}, [](hid_t) {});
   write_whole(temporary, [&](std::ostream& out) { out << empty; });
-  impl_->descriptor = open(temporary.c_str(), O_WRONLY | O_CLOEXEC);
-  const H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_libver_bounds(access, H5F_LIBVER_V18,
-                       H5F_LIBVER_V18); // headers with checksums, as those of an image
-  impl_->root = H5Fopen(temporary.c_str(), H5F_ACC_RDWR, access);
+  impl_->descriptor = open(temporary.c_str(), O_RDWR | O_CLOEXEC);
+  impl_->root = open_h5(temporary, H5Access::change).release();
   impl_->check(impl_->descriptor >= 0 && impl_->root >= 0, "it cannot be created");
 }
 
@@ -189,8 +212,8 @@ void H5Writer::add(const H5Table& table) {
       values += text->size() / sizeof(double) + 1;
   for (const auto& [name, data] : table.texts)
     values += data.text.size() / sizeof(double) + 1;
-  if (table.checksums) // as in an image: a chunk in the older layout takes kilobytes besides
-    H5Fset_libver_bounds(impl_->root, H5F_LIBVER_V110, H5F_LIBVER_V110);
+  if (table.checksums)
+    impl_->ask_for_checksums();
   impl_->reserve(values, 3 * (table.datasets.size() + table.texts.size()) + table.attributes.size());
   write_entries(impl_->root, table, impl_->whole.file());
 }
@@ -198,20 +221,34 @@ void H5Writer::add(const H5Table& table) {
 void H5Writer::add_line(const std::string& name, std::size_t size, const std::string& unit,
                         const std::string& description) {
   const QuietHdf5 silence;
-  impl_->reserve(size, 1);
+  impl_->ask_for_checksums();
+  impl_->reserve(0, 1 + size / rows_of_a_chunk);
   impl_->check(write_empty_line(impl_->root, name, size) && write_words(impl_->root, name, unit, description),
                "dataset " + name);
+  impl_->lines[name] = {.size = size};
 }
 
-void H5Writer::put(const std::string& name, std::size_t first, std::span<const double> values) {
+void H5Writer::put(const std::string& name, std::span<const double> values) {
   const QuietHdf5 silence;
-  impl_->check(write_rows(impl_->root, name, first, values), "dataset " + name);
+  Impl::Line& line = impl_->lines.at(name);
+  impl_->check(values.size() <= line.size - line.written - line.next.size(),
+               "the dataset " + name + " has not so many numbers");
+  while (!values.empty()) {
+    const auto some = values.first(std::min(values.size(), rows_of_a_chunk - line.next.size()));
+    line.next.insert(line.next.end(), some.begin(), some.end());
+    if (line.next.size() == rows_of_a_chunk || line.written + line.next.size() == line.size)
+      impl_->write_chunk(name, line);
+    values = values.subspan(some.size());
+  }
 }
 
 void H5Writer::finish() {
   const QuietHdf5 silence;
+  for (const auto& [name, line] : impl_->lines)
+    impl_->check(line.written == line.size, "numbers of the dataset " + name + " are missing");
   impl_->check(H5Fflush(impl_->root, H5F_SCOPE_GLOBAL) >= 0, "its contents cannot be flushed");
   H5Fclose(std::exchange(impl_->root, -1));
+  impl_->cut_off_reserve();
   impl_->whole.commit();
 }
 

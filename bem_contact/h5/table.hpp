@@ -93,6 +93,10 @@ H5Table read_h5(const std::filesystem::path& file);
 /// The same without the datasets that lie in groups, but for those of the group `but` ("" for none).
 H5Table read_h5_top(const std::filesystem::path& file, const std::string& but = "");
 
+/// Rows of a long line that are deflated together (H5Writer::add_line()). Who reads a line in runs of as many
+/// inflates each chunk once.
+inline constexpr std::size_t rows_of_a_chunk = 8192;
+
 /// Writes a file table by table, for more than memory holds. It has a temporary name beside `file` until
 /// finish() renames it: `file` is whole or absent. Throws what write_whole() does (base/output_file.hpp).
 class H5Writer {
@@ -104,10 +108,11 @@ public:
 
   /// Names must be new to the file, but for groups.
   void add(const H5Table& table);
-  /// Makes a dataset of `size` numbers, which put() writes run by run; until then they are what they are.
+  /// Makes a dataset of `size` numbers, deflated and with checksums. put() appends them, run by run.
   void add_line(const std::string& name, std::size_t size, const std::string& unit,
                 const std::string& description);
-  void put(const std::string& name, std::size_t first, std::span<const double> values);
+  void put(const std::string& name, std::span<const double> values);
+  /// Throws Error where a line has fewer numbers than it was made for, too.
   void finish();
 
 private:

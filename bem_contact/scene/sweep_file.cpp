@@ -260,9 +260,9 @@ std::string SweepFile::describe(std::size_t index) const {
   return out;
 }
 
-bool has_sweep(const SceneText& given) {
+bool has_sweep(const SceneText& given, std::string_view section) {
   try {
-    return toml::parse(given.toml).contains("sweep");
+    return toml::parse(given.toml).contains(section);
   } catch (const toml::parse_error&) { // whoever reads the scene says what is wrong
     return false;
   }

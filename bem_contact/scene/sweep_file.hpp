@@ -73,8 +73,8 @@ struct SweepFile {
   std::string describe(std::size_t index) const;
 };
 
-/// Says whether a scene has a table [sweep].
-bool has_sweep(const SceneText& given);
+/// Says whether a scene has a table [sweep], or the other one that has lists (parse_sweep_file()).
+bool has_sweep(const SceneText& given, std::string_view section = "sweep");
 
 /// Throws InputError for a file without [sweep], an empty or endless range, a zip of lists of unequal
 /// lengths, or a key that no scene has.

@@ -61,8 +61,8 @@ TEST(H5Reader, ReadsWhatWasWrittenRunByRun) {
     writer.add_line("group/x", 5, "mm", "a line");
     writer.add_line("none", 0, "1", "no number");
     const std::vector<double> first{1, 2}, last{3, 4, 5};
-    writer.put("group/x", 2, last);
-    writer.put("group/x", 0, first);
+    writer.put("group/x", first);
+    writer.put("group/x", last);
     H5Table more;
     more.attributes["cases/000007/reason"] = std::string("why");
     more.attributes["cases/000007/right/model"] = std::string("fem");
@@ -92,6 +92,65 @@ TEST(H5Reader, ReadsWhatWasWrittenRunByRun) {
   EXPECT_THROW(reader.require("group/x", 4), InputError);
   EXPECT_THROW(reader.require("none", 1), InputError);
   EXPECT_NO_THROW(reader.require("none", 0));
+}
+
+/// A long line is deflated chunk by chunk, each with a checksum; reading some rows looks at their chunks
+/// alone.
+TEST(H5Writer, DeflatesLongLines) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "out.h5";
+  const std::size_t size = 3 * rows_of_a_chunk + 7;
+  std::vector<double> values(size);
+  for (std::size_t i = 0; i < size; ++i)
+    values[i] = 1e5 * std::sin(1e-3 * double(i / 10));
+  {
+    H5Writer writer(file);
+    writer.add_line("x", size, "N", "a force");
+    for (std::size_t first = 0; first < size; first += 1000)
+      writer.put("x", std::span(values).subspan(first, std::min<std::size_t>(1000, size - first)));
+    writer.finish();
+  }
+  EXPECT_LT(std::filesystem::file_size(file), size * sizeof(double) / 4);
+  EXPECT_EQ(read_h5(file).datasets.at("x").values, values);
+  EXPECT_TRUE(read_h5(file).checksums);
+  const std::string whole = text_of(file);
+  for (std::size_t place = whole.size() / 4; place < whole.size(); place += whole.size() / 50 + 1) {
+    std::string damaged = whole;
+    damaged[place] = static_cast<char>(damaged[place] ^ 4);
+    std::ofstream(file, std::ios::binary) << damaged;
+    std::vector<double> found;
+    try {
+      found = H5Reader(file).line("x", 0, size);
+    } catch (const InputError&) {
+      continue;
+    }
+    EXPECT_EQ(found, values) << "a changed bit was read";
+  }
+}
+
+TEST(H5Writer, RefusesALineThatIsNotFull) {
+  const TemporaryFolder folder;
+  H5Writer writer(folder.path() / "out.h5");
+  const std::vector<double> three{1, 2, 3};
+  writer.add_line("x", 4, "1", "four");
+  writer.put("x", three);
+  EXPECT_THAT(fault_of([&] { writer.put("x", three); }), testing::HasSubstr("has not so many numbers"));
+  EXPECT_THAT(fault_of([&] { writer.finish(); }), testing::HasSubstr("are missing"));
+}
+
+/// What was reserved so that a full disk is an error is given back.
+TEST(H5Writer, ASmallFileIsSmall) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "out.h5";
+  H5Writer writer(file);
+  for (int i = 0; i < 10; ++i) {
+    H5Table table;
+    table.datasets[std::to_string(i)] = H5Dataset::line({1, 2}, "mm", "some");
+    writer.add(table);
+  }
+  writer.finish();
+  EXPECT_LT(std::filesystem::file_size(file), 32'000U);
+  EXPECT_EQ(read_h5(file).datasets.size(), 10U);
 }
 
 /// A group that lies in another file is not there: that file may be a pipe, or one that others may not read.

@@ -1,9 +1,9 @@
-#include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/app/sweep/sweep_on_cores.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/said_by.hpp"
 #include "bem_contact/h5/table.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
+#include "bem_contact/uses/sweep/sweep_inputs.hpp"
 #include "tests/app/run_program.hpp"
 
 #include <chrono>
@@ -12,6 +12,8 @@
 #include <gmock/gmock.h>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <thread>
@@ -41,10 +43,11 @@ protected:
     return run("sweep " + scene(text) + " -o '" + (folder_ / name).string() + "' --cases " + cases);
   }
   /// As the program asks for it, so that it goes on with what is found here.
-  app::AskedSweep asked(const std::string& text) const {
+  AskedSweep asked(const std::string& text) const {
     const fs::path file = write("s.toml", text);
-    app::AskedSweep out{file, read_sweep_file(file)};
-    out.digest = app::digest_of(out.sweep, "");
+    AskedSweep out{file, read_sweep_file(file)};
+    out.origins = origins_of(out.sweep, "");
+    out.digest = digest_of(out.origins);
     return out;
   }
   Outcome sweep(const std::string& text, const std::string& more = "") const {
@@ -71,6 +74,73 @@ protected:
     }
   }
 };
+
+/// All at once, and the other parts are not touched.
+TEST_F(Sweep, EveryPartThatCannotBeJoinedIsNamed) {
+  for (const char* range : {"0:5", "5:10", "10:15", "15:20"})
+    ASSERT_EQ(part(cases, range, std::string(range) + ".h5").code, 0);
+  fs::create_directories(folder_ / "parts");
+  for (const char* range : {"0:5", "5:10", "10:15", "15:20"})
+    fs::rename(folder_ / (std::string(range) + ".h5"), folder_ / "parts" / (std::string(range) + ".h5"));
+  const auto joined = [&](const std::string& more) {
+    return run("sweep " + scene(cases) + " --join '" + (folder_ / "parts").string() + "' " + more);
+  };
+  for (const char* name : {"0:5.h5", "15:20.h5"})
+    fs::resize_file(folder_ / "parts" / name, 1000);
+  const Outcome refused = joined("-o '" + out().string() + "'");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("2 parts of the sweep cannot be joined"));
+  for (const char* name : {"0:5.h5", "15:20.h5"})
+    EXPECT_THAT(refused.err, HasSubstr(name));
+  EXPECT_FALSE(fs::exists(out()));
+  const Outcome damaged = joined("--damaged");
+  EXPECT_EQ(damaged.code, 0);
+  EXPECT_EQ(std::ranges::count(damaged.out, '\n'), 2);
+  for (const char* name : {"0:5.h5", "15:20.h5"})
+    fs::remove(folder_ / "parts" / name);
+  const Outcome missing = joined("--all-cases -o '" + out().string() + "'");
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_THAT(missing.err, HasSubstr("10 cases cannot be joined"));
+  EXPECT_THAT(missing.out, HasSubstr("--cases 15:20"));
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+/// A file, an option and the scene; of the program its version and commit, which a test cannot change.
+TEST_F(Sweep, WhatHasChangedSinceAPartIsNamed) {
+  fs::copy_file(CONFORMAL_SOURCE_DIR "/data/bodies/hollow_wheel.txt", folder_ / "w.txt");
+  const std::string text =
+      "rail.profile = '60E1'\nwheel = { profile = 'w.txt', smoothing = 8 }\nload.force = 8e4\n"
+      "motion.frictionless = true\nsolver.model = 'halfspace'\ngrid = { dx = 2, ds = 1 }\n"
+      "[sweep]\nposition.lateral = [0, 1]\n";
+  ASSERT_EQ(part(text, "0:2", "a.h5").code, 0);
+  const auto why = [&](const std::string& of, const std::string& more) {
+    return run("sweep " + scene(of) + " --join '" + (folder_ / "a.h5").string() + "' -o '" + out().string() +
+               "' " + more)
+        .err;
+  };
+  EXPECT_THAT(why(text, "--strict"), HasSubstr("(its options were '', and are ' strict')"));
+  std::ofstream(folder_ / "w.txt", std::ios::app) << "\n";
+  EXPECT_THAT(why(text, ""), HasSubstr("(the file './w.txt' has changed)"));
+  std::string other = text;
+  other.replace(other.find("8e4"), 3, "9e4");
+  EXPECT_THAT(why(other, ""), HasSubstr("(the file './w.txt' has changed; the scene has changed)"));
+}
+
+TEST_F(Sweep, CheckNamesTheFilesThatAreRead) {
+  std::ofstream(folder_ / "rails.csv")
+      << "rail.profile,rail.influence\n\"60E1\",\"new.h5\"\n\"r.txt\",\"worn.h5\"\n";
+  fs::copy_file(CONFORMAL_SOURCE_DIR "/data/bodies/worn_rail.txt", folder_ / "r.txt");
+  const Outcome inputs =
+      run("check --inputs " +
+          scene("wheel.profile = 'S1002'\nload.force = 8e4\n[sweep]\nposition.lateral = [0, 1]\n"
+                "[[sweep.together]]\ntable = 'rails.csv'\n"));
+  EXPECT_EQ(inputs.code, 0) << inputs.err;
+  std::istringstream lines(inputs.out);
+  std::set<std::string> names;
+  for (std::string line; std::getline(lines, line);)
+    names.insert(fs::path(line).filename().string());
+  EXPECT_EQ(names, (std::set<std::string>{"new.h5", "r.txt", "rails.csv", "worn.h5"}));
+}
 
 TEST_F(Sweep, EachCaseIsWhatSolveSaysOfIt) {
   const Outcome r = sweep(cases, "--csv '" + (folder_ / "o.csv").string() + "'");
@@ -220,7 +290,7 @@ TEST_F(Sweep, AProcessThatDiesCostsItsCaseAloneAndTheSameCommandSolvesThat) {
   const H5Table whole = found(out());
   fs::remove(out());
   {
-    const app::AskedSweep here = asked(cases);
+    const AskedSweep here = asked(cases);
     const app::PartsFolder folder(here, out());
     const app::PartSolver real = app::part_solver(here);
     const app::SolvedParts solved = app::solve_on_cores(folder, 3, [&](CaseRange part, const fs::path& file) {
@@ -238,7 +308,7 @@ TEST_F(Sweep, AProcessThatDiesCostsItsCaseAloneAndTheSameCommandSolvesThat) {
     EXPECT_THAT(solved.died.at(7), HasSubstr("code 9"));
     EXPECT_EQ(solved.died.at(18), said_by(std::bad_alloc()));
     EXPECT_EQ(app::missing_ranges(folder.parts(), 20), (std::vector<CaseRange>{{6, 8}, {18, 19}}));
-    app::join(here, folder.parts(), solved.died, out());
+    join(here, folder.parts(), solved.died, out());
   }
   const H5Table died = read_h5(out()); // such a file is not complete
   EXPECT_EQ(died.datasets.at("died_count").values, std::vector<double>{3});
@@ -257,7 +327,7 @@ TEST_F(Sweep, AProcessThatDiesCostsItsCaseAloneAndTheSameCommandSolvesThat) {
 
 /// A fault of the machine is no death of a case: nothing is solved again and again.
 TEST_F(Sweep, WhatAProcessCannotDoEndsTheSweep) {
-  const app::AskedSweep here = asked(cases);
+  const AskedSweep here = asked(cases);
   const app::PartsFolder folder(here, out());
   testing::internal::CaptureStderr();
   const auto code = [&](const auto& fault) {
@@ -272,16 +342,16 @@ TEST_F(Sweep, WhatAProcessCannotDoEndsTheSweep) {
 TEST_F(Sweep, SlowCasesArePartsOfTheirOwn) {
   ASSERT_EQ(sweep(cases).code, 0);
   const H5Table whole = found(out());
-  const app::AskedSweep here = asked(cases);
+  const AskedSweep here = asked(cases);
   fs::remove(out());
   const app::PartsFolder folder(here, out());
   const auto solve = [&](CaseRange part, const fs::path& file) {
-    EXPECT_EQ(app::solve_part(here, part, shared_files(), file, 0, [] {}).size(), 1U);
+    EXPECT_EQ(solve_part(here, part, shared_files(), file, 0, [] {}).size(), 1U);
   };
   EXPECT_TRUE(app::solve_on_cores(folder, 2, solve).died.empty());
   EXPECT_EQ(folder.parts().size(), 20U);
   EXPECT_EQ(folder.size(), 1U);
-  app::join(here, folder.parts(), {}, out());
+  join(here, folder.parts(), {}, out());
   folder.clear(folder.parts());
   for (const char* name : {"Fx", "Fz", "pmax"})
     for (std::size_t i = 0; i < 20; ++i)
@@ -520,7 +590,7 @@ TEST_F(Sweep, APartChecksItsOwnCases) {
 }
 
 TEST_F(Sweep, TwoCannotWorkInOneFolder) {
-  const app::AskedSweep here = asked(cases);
+  const AskedSweep here = asked(cases);
   const app::PartsFolder first(here, out());
   const Outcome second = sweep(cases);
   EXPECT_EQ(second.code, 2);

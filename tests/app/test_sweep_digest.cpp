@@ -1,4 +1,4 @@
-#include "bem_contact/app/sweep/sweep_inputs.hpp"
+#include "bem_contact/uses/sweep/sweep_inputs.hpp"
 #include "tests/base/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ TEST(SweepDigest, AnInfluenceFileCountsByItsSeal) {
   const TemporaryFolder folder;
   const std::filesystem::path data = CONFORMAL_SOURCE_DIR "/data/influence";
   const auto digest = [&] {
-    return app::digest_of(
+    return digest_of(
         parse_sweep_file({"rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nload.force = 8e4\n"
                           "[sweep]\nrail.influence = [\"rail.h5\"]\n",
                           "s.toml", folder.path()}),

@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -54,7 +55,7 @@ SBATCH = """#!/usr/bin/env bash
 # Runs the script beside its caller, and kills the first part of a sweep: Slurm says that it was cancelled.
 set -eu
 while [[ $1 == --* ]]; do
-  case $1 in --job-name=*) name=${1#*=} ;; esac
+  case $1 in --job-name=*) name=${1#*=} ;; --mem-per-cpu=*) echo "$1" >>"$SPOOL/memory" ;; esac
   shift
 done
 id=$(mktemp -p "$SPOOL" job-XXXXXX)
@@ -88,6 +89,10 @@ class Config(unittest.TestCase):
             self.plan(text)
         return str(caught.exception)
 
+    def refused_text(self, text):
+        Path("config.toml").write_text(text)
+        return self.refused_file("config.toml")
+
     def refused_file(self, file):
         with self.assertRaises(cluster_tasks.ConfigError) as caught:
             cluster_tasks.read(file, CLUSTER)
@@ -116,8 +121,63 @@ class Config(unittest.TestCase):
         Path("other.toml").write_text('programs = "absent"\n')
         self.assertIn("no program bem_contact", self.refused_file("other.toml"))
 
+    def test_with_slots_the_last_parts_are_the_shortest(self):
+        for cases, least, slots in ((500, 32, 1000), (5000, 64, 10), (100_000, 64, 8), (5_000_000, 96, 1000)):
+            rounds = cluster_tasks.rounds_of(cases, least, slots)
+            parts = [part for parts in rounds for part in parts]
+            self.assertEqual([first for first, last in parts], [0] + [last for first, last in parts[:-1]])
+            self.assertEqual(parts[-1][1], cases)
+            self.assertTrue(all(first % 32 == 0 for first, last in parts))
+            sizes = [parts[0][1] - parts[0][0] for parts in rounds]
+            self.assertEqual(sizes, sorted(sizes, reverse=True))
+            self.assertEqual(sizes[-1], least)
+            self.assertTrue(all(len(parts) == slots for parts in rounds[:-1]))
+
+    def test_keys_of_a_wrong_type(self):
+        for tries in ('"x"', "-1", "true", "[]", "1.5", "nan"):
+            self.assertIn("tries cannot be", self.refused(f"tries = {tries}\n"))
+        self.assertIn("programs cannot be 3", self.refused_text("programs = 3\n"))
+        self.assertIn("Rename the file", self.refused('[[sweep]]\nscene = "--help"\noutput = "o"\n'))
+        Path("s.toml").write_text(SWEEP)
+        for result in ('output = "s.toml"', 'output = "o.h5"\ncsv = "./s.toml"', 'output = "config.toml"'):
+            self.assertIn("what is there would be replaced", self.refused(f'[[sweep]]\nscene = "s.toml"\n{result}\n'))
+
+    def test_a_wrong_scene_is_refused_before_anything_runs(self):
+        Path("s.toml").write_text(SWEEP.replace("load.force", "load.farce"))
+        self.assertIn("load.farce", self.refused('[[sweep]]\nscene = "s.toml"\noutput = "o.h5"\n'))
+        Path("s.toml").write_text('rail.influence = "absent.h5"\n' + SWEEP)
+        self.assertIn("no [[body]] makes it", self.refused('[[sweep]]\nscene = "s.toml"\noutput = "o.h5"\n'))
+
+    def test_inputs_are_what_the_scene_names(self):
+        """Half-space scenes have no body's file among them, and a file of a list is one."""
+        Path("bodies").mkdir()
+        for name in ("a", "b", "c"):
+            Path("bodies", f"{name}.toml").write_text(SMALL_BLOCK)
+        Path("s.toml").write_text(SWEEP + 'rail.influence = ["influence/a.h5", "influence/c.h5"]\n')
+        Path("h.toml").write_text(SWEEP)
+        plan = self.plan('[[body]]\nfiles = ["bodies/*.toml"]\nfolder = "influence"\n'
+                         '[[sweep]]\nscene = "s.toml"\noutput = "o.h5"\n[[sweep]]\nscene = "h.toml"\noutput = "h.h5"\n')
+        self.assertEqual([sweep.inputs for sweep in plan.sweeps], [["s.toml", "influence/a.h5", "influence/c.h5"], ["h.toml"]])
+
+    def test_what_a_killed_snakemake_leaves_is_removed(self):
+        Path("s.toml").write_text(SWEEP)
+        sweep = self.plan('[[sweep]]\nscene = "s.toml"\noutput = "o.h5"\ncases = 4\nminutes = 10\n').sweeps[0]
+        files = {name: Path("o.h5.parts", name) for name in ("9_by_4/0-4.h5", "9_by_4/4-8.h5.tmp77", "9_by_4/8-9.h5.tmp8", "9_by_4/mine.h5",
+                                                             "9_by_3/0-3.h5", "notes/0-3.h5")}
+        for file in files.values():
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text("")
+        os.utime(files["9_by_4/8-9.h5.tmp8"], (0, 0))
+        left = lambda: {name for name, file in files.items() if file.exists()}
+        sweep.remove_leftovers(time.time())  # a task may still write 4-8.h5
+        self.assertEqual(left(), {"9_by_4/0-4.h5", "9_by_4/4-8.h5.tmp77", "9_by_4/mine.h5", "notes/0-3.h5"})
+        Path("o.h5").write_text("joined")
+        os.utime(files["9_by_4/0-4.h5"], (1, 1))
+        sweep.remove_leftovers(time.time() + 700)
+        self.assertEqual(left(), {"9_by_4/mine.h5", "notes/0-3.h5"})
+
     def test_names_that_snakemake_cannot_quote_are_refused(self):
-        for name in ("", "a{b}", "a\\b", "a\nb", "it's \"both\"", "it's $(touch ran)", "it's `touch ran`"):
+        for name in ("", "-a", "a{b}", "a\\b", "a\nb", "it's \"both\"", "it's $(touch ran)", "it's `touch ran`"):
             self.assertFalse(cluster_tasks.is_safe(name), name)
         for name in ("it's fine", 'a "b"', "$(touch ran)", "`touch ran`", "two  blanks", "Räder;&"):
             self.assertTrue(cluster_tasks.is_safe(name), name)
@@ -163,7 +223,98 @@ class Plans(unittest.TestCase):
         self.check_results()
         self.assertIn("Nothing to be done", self.snakemake("--cores", "2"))
 
+    def planned(self):
+        """How many tasks of each rule a call would run."""
+        told = self.snakemake("--dry-run")
+        if "Nothing to be done" in told:
+            return {}
+        lines = told[told.index("Job stats:"):].split("\n\n")[0].splitlines()[3:]
+        return {words[0]: int(words[1]) for words in map(str.split, lines) if words and words[0] not in ("all", "total")}
+
+    def only(self, *tables):
+        """A plan of the half-space sweep and these tables."""
+        sweep = PLAN[PLAN.index("[[sweep]]"):PLAN.index("[[wear]]")]
+        (self.folder / "config.toml").write_text("\n".join(tables) + "\n" + sweep)
+
+    def test_one_more_body_makes_that_body(self):
+        bodies = PLAN[:PLAN.index("[[sweep]]")]
+        (self.folder / "fem.toml").write_text('rail.influence = "influence files/it\'s small.h5"\n' + TABLE)
+        table = '[[table]]\nscene = "fem.toml"\noutput = "fem.h5"\noptions = [ "--tolerance", "0.5" ]\n'
+        self.only(bodies, table)
+        self.assertEqual(self.planned(), {"body_it_s_small": 1, "body__small_touch_ran_": 1, "part_of_it_s_two_blanks": 3,
+                                          "join_it_s_two_blanks": 1, "table_fem": 1})
+        self.snakemake("--cores", "2")
+        self.assertEqual(self.planned(), {})
+        (self.folder / "my bodies" / "third.toml").write_text(SMALL_BLOCK)
+        self.assertEqual(self.planned(), {"body_third": 1})
+        (self.folder / "my bodies" / "it's small.toml").write_text(SMALL_BLOCK + "# corrected\n")
+        self.assertEqual(self.planned(), {"body_third": 1, "body_it_s_small": 1, "table_fem": 1})
+
+    def test_damaged_parts_are_removed_and_solved_again(self):
+        """A join that finds them names all, and the next call solves them and no others."""
+        self.only()
+        parts = self.folder / "results" / "it's two  blanks.h5.parts" / "9_by_4"
+        program = self.folder / "programs" / "bem_contact"
+        program.parent.mkdir()
+        # Before it joins for the first time, the disk loses two of the parts.
+        program.write_text(f"""#!/usr/bin/env bash
+case "$*" in *--all-cases*) if [ ! -e damaged ]; then
+  touch damaged
+  truncate --size=100 results/*/9_by_4/0-4.h5
+  truncate --size=100 results/*/9_by_4/8-9.h5
+fi ;; esac
+echo "$*" >> calls
+exec '{BIN}/bem_contact' "$@"
+""")
+        program.chmod(0o755)
+        config = self.folder / "config.toml"
+        config.write_text('programs = "programs"\n' + config.read_text())
+        told = self.failed("--cores", "2")
+        for name in ("0-4.h5", "8-9.h5"):
+            self.assertRegex(told, f"removed, because it is damaged: .*{name}")
+        self.assertIn("2 parts of the sweep cannot be joined", told)
+        calls = (self.folder / "calls").read_text()
+        self.assertEqual(calls.count("--all-cases"), 1)
+        self.assertEqual(self.planned(), {"part_of_it_s_two_blanks": 2, "join_it_s_two_blanks": 1})
+        self.snakemake("--cores", "2")
+        self.assertEqual(self.planned(), {})
+        self.assertFalse(parts.exists())
+
+    def failed(self, *arguments):
+        done = subprocess.run(["snakemake", "--snakefile", CLUSTER / "Snakefile", *arguments], cwd=self.folder, env=self.environment,
+                              capture_output=True, text=True)
+        self.assertNotEqual(done.returncode, 0)
+        return done.stdout + done.stderr
+
     def test_with_slurm(self):
+        self.begin_slurm()
+        told = self.snakemake("--profile", CLUSTER / "profiles" / "slurm", "--jobs", "4")
+        self.assertTrue((self.folder.parent / "spool" / "killed").exists())
+        self.assertIn("Trying to restart job", told)
+        self.check_results()
+
+    def test_a_task_is_tried_as_often_as_asked_and_a_wrong_scene_once(self):
+        """With more memory each time. Slurm's jobs are Snakemakes, too, and try nothing again."""
+        self.begin_slurm()
+        (self.folder.parent / "spool" / "killed").mkdir()
+        program = self.folder / "programs" / "bem_contact"
+        program.parent.mkdir()
+        for code, tries in ((1, 3), (2, 1)):
+            program.write_text(f"""#!/usr/bin/env bash
+case "$*" in *--cases*) echo tried >> tried-{code}; echo "no memory, or no scene" >&2; exit {code} ;; esac
+exec '{BIN}/bem_contact' "$@"
+""")
+            program.chmod(0o755)
+            self.only('programs = "programs"', "tries = 2")
+            config = self.folder / "config.toml"
+            config.write_text(config.read_text().replace("cases = 4", "cases = 9"))
+            told = self.failed("--profile", CLUSTER / "profiles" / "slurm", "--jobs", "4")
+            self.assertEqual((self.folder / f"tried-{code}").read_text().splitlines(), ["tried"] * tries, told)
+            self.assertIn("no memory, or no scene", told)
+        memory = (self.folder.parent / "spool" / "memory").read_text().split()
+        self.assertEqual(memory[:3], ["--mem-per-cpu=1000", "--mem-per-cpu=2000", "--mem-per-cpu=3000"])
+
+    def begin_slurm(self):
         spool = self.folder.parent / "spool"
         spool.mkdir()
         for name, text in (("sbatch", SBATCH), ("scontrol", SCONTROL)):
@@ -171,10 +322,6 @@ class Plans(unittest.TestCase):
             program.write_text(text)
             program.chmod(0o755)
         self.environment |= {"PATH": f"{self.folder.parent}:{os.environ['PATH']}", "SPOOL": str(spool)}
-        told = self.snakemake("--profile", CLUSTER / "profiles" / "slurm", "--jobs", "4")
-        self.assertTrue((spool / "killed").exists())
-        self.assertIn("Trying to restart job", told)
-        self.check_results()
 
 
 class OldScripts(unittest.TestCase):

@@ -2,10 +2,12 @@
 takes."""
 
 import glob
+import json
 import os
 import re
 import shutil
 import subprocess
+import time
 import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -18,12 +20,13 @@ class ConfigError(Exception):
 def is_safe(name):
     """Whether Snakemake can hand a name on. It takes braces as wildcards, and writes names into scripts of the shell as Python
     writes texts: in single quotes, but in double ones if they hold a single quote."""
-    return bool(name) and not re.search(r"[{}\\\n]", name) and not ("'" in name and re.search(r'["$`]', name))
+    return (bool(name) and not name.startswith("-") and not re.search(r"[{}\\\n]", name) and
+            not ("'" in name and re.search(r'["$`]', name)))
 
 
 def require_safe(name):
     if not is_safe(name):
-        raise ConfigError(f"The name {name!r} cannot be handed to Snakemake (it is empty, or has a brace, a backslash, or a "
+        raise ConfigError(f"The name {name!r} cannot be handed to Snakemake (it is empty, begins with -, or has a brace, a backslash, or a "
                           "single quote beside a double quote, $ or `) Rename the file.")
     return name
 
@@ -43,8 +46,14 @@ def growing(amount):
 def resources(entry, processes=1):
     """Memory, time and processes of a task, under the names of Snakemake's executors and of tools/cluster/profiles."""
     threads = entry.get("threads", 1)
-    return {"tasks": processes, "nodes": entry.get("nodes", 1), "cpus_per_task": threads, "runtime": entry["minutes"],
+    return {"attempt_number": growing(1), "tasks": processes, "nodes": entry.get("nodes", 1), "cpus_per_task": threads, "runtime": entry["minutes"],
             "mem_mb": growing(entry["memory"] * processes), "mem_mb_per_cpu": growing(-(-entry["memory"] // threads))}
+
+
+def is_main(workflow):
+    """Whether this is the Snakemake that somebody has called, and not one of its jobs on another computer."""
+    main = getattr(workflow, "is_main_process", None)  # from version 8 on
+    return workflow.mode == 0 if main is None else bool(main)
 
 
 @dataclass
@@ -56,6 +65,17 @@ class Body:
     threads: int
     resources: dict
     program: str    # tools/influence
+
+    @property
+    def log(self):
+        return f"{LOGS}/{self.name}.txt"
+
+
+def remove_if_empty(folder):
+    try:
+        os.rmdir(folder)
+    except OSError:  # it is not, or is not there
+        pass
 
 
 @dataclass
@@ -70,18 +90,60 @@ class Task:
     output: str = ""
     folder: str = ""
 
+    @property
+    def log(self):
+        return f"{LOGS}/{self.name}.txt"
+
+
+CHUNK = 32          # cases: where parts end between chunks, the digits are those of one process
+SHARE_OF_A_ROUND = 0.6  # of the cases that are left, which each round hands out (tools/benchmarks/fleet_efficiency)
+
+
+def rounds_of(cases, of_a_task, slots):
+    """The parts of a sweep as lists of [first case, last case). Without slots: one list of equal ones. With slots: rounds of one
+    part for each slot, and each round is smaller than the one before, so that the last ones to be waited for are short."""
+    rounds, at = [], 0
+    while at < cases:
+        graded = int(SHARE_OF_A_ROUND * (cases - at) / slots) // CHUNK * CHUNK if slots else 0
+        last_round = graded <= of_a_task
+        size = of_a_task if last_round else graded
+        end = cases if last_round else at + slots * size
+        rounds.append([(first, min(first + size, cases)) for first in range(at, end, size)])
+        at = end
+    return rounds
+
 
 @dataclass
 class Sweep(Task):
     csv: str = ""
     cases: int = 0   # of all
     of_a_task: int = 1
+    slots: int = 0   # 0: all parts are alike
+    minutes: int = 60  # that a part may take
     join_resources: dict = field(default_factory=dict)
+
+    @property
+    def folder_of_cuts(self):
+        return f"{self.output}.parts"
 
     @property
     def parts(self):
         """Parts of another cut are never joined: they are in another folder."""
-        return f"{self.output}.parts/{self.cases}_by_{self.of_a_task}"
+        return f"{self.folder_of_cuts}/{self.cases}_by_{self.of_a_task}" + (f"_on_{self.slots}" if self.slots else "")
+
+    def rounds(self):
+        return rounds_of(self.cases, self.of_a_task, self.slots)
+
+    def prefix(self, number):
+        """Of the names of a round's parts. The first round has none."""
+        return f"{number}_" if number else ""
+
+    def pattern(self, number):
+        """The part of a round, for Snakemake's wildcards."""
+        return f"{self.parts}/{self.prefix(number)}" + "{first}-{last}.h5"
+
+    def log_of_part(self, number):
+        return f"{LOGS}/{self.name}/{self.prefix(number)}" + "{first}-{last}.txt"
 
     @property
     def outputs(self):
@@ -91,15 +153,42 @@ class Sweep(Task):
     def named_outputs(self):
         return ["-o", self.output] + (["--csv", self.csv] if self.csv else [])
 
-    def part_files(self):
-        return [f"{self.parts}/{first}-{min(first + self.of_a_task, self.cases)}.h5"
-                for first in range(0, self.cases, self.of_a_task)]
+    def remove_leftovers(self, now):
+        """What a Snakemake that was killed has left: parts of another cut, parts that are joined, and files that nobody writes
+        any more, because no task may take so long."""
+        joined = self.joined_at()
+        for folder in glob.glob(glob.escape(self.folder_of_cuts) + "/*_by_*"):
+            if not re.fullmatch(r"\d+_by_\d+(_on_\d+)?", os.path.basename(folder)):
+                continue
+            for entry in os.scandir(folder):
+                whole = re.fullmatch(r"(\d+_)?\d+-\d+\.h5", entry.name)
+                begun = re.fullmatch(r"(\d+_)?\d+-\d+\.h5\.tmp\d+", entry.name)
+                changed = entry.stat(follow_symlinks=False).st_mtime
+                if whole and (os.path.normpath(folder) != os.path.normpath(self.parts) or changed < joined) or \
+                        begun and changed < now - 60 * self.minutes:
+                    os.remove(entry.path)
+            remove_if_empty(folder)
+        remove_if_empty(self.folder_of_cuts)
 
+    def joined_at(self):
+        """When all results were there; 0: one is not, or is older than what it is made of and will be made again."""
+        if not all(map(os.path.exists, self.outputs)):
+            return 0
+        joined = min(map(os.path.getmtime, self.outputs))
+        newest = max((os.path.getmtime(one) for one in self.inputs if os.path.exists(one)), default=0)
+        return joined if newest <= joined else 0
+
+    def part_files(self):
+        return [f"{self.parts}/{self.prefix(number)}{first}-{last}.h5" for number, parts in enumerate(self.rounds()) for first, last in parts]
+
+
+LOGS = ".snakemake/tasks"           # what a task says, while it runs and if it fails
+MEMORY = ".snakemake/asked.json"    # what the programs said of each scene: jobs on other computers need not ask again
 
 # The keys of each table: which must be there, and the others with their defaults.
 KEYS = {
     "body": ({"files", "folder"}, {"processes": 1, "memory": 1000, "minutes": 60, "nodes": 1}),
-    "sweep": ({"scene", "output"}, {"csv": "", "cases": 3200, "memory": 1000, "minutes": 60, "options": [], "needs": []}),
+    "sweep": ({"scene", "output"}, {"csv": "", "cases": 3200, "slots": 0, "memory": 1000, "minutes": 60, "options": [], "needs": []}),
     "wear": ({"scene", "folder"}, {"threads": 1, "memory": 1000, "minutes": 600, "options": [], "needs": []}),
     "study": ({"scene", "folder"}, {"threads": 1, "memory": 2000, "minutes": 600, "options": [], "needs": []}),
     "table": ({"scene", "output"}, {"threads": 1, "memory": 2000, "minutes": 120, "options": [], "needs": []}),
@@ -109,13 +198,13 @@ KEYS = {
 class Plan:
     one_thread = "OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 "  # tasks are what runs side by side
 
-    def __init__(self, text, source, cluster_folder):
+    def __init__(self, text, source, cluster_folder, main):
         self.source = source
         given = self.parse(text)
-        self.tries = given.pop("tries", 2)
+        self.tries = self.number_of_tries(given.pop("tries", 2))
         self.programs = self.folder_of_programs(given.pop("programs", ""), Path(cluster_folder))
         self.bem_contact = str(Path(self.programs) / "bem_contact")
-        self.bodies_are_there = ".snakemake/bodies_are_there"
+        self.run_task, self.join_parts = (str(Path(cluster_folder).resolve() / name) for name in ("run_task", "join_parts"))
         self.names = set()
         entries = self.entries(given)
         tool = str(Path(cluster_folder).resolve().parent / "influence")
@@ -125,6 +214,20 @@ class Plan:
                                    for kind in ("wear", "study"))
         self.tables = [Task(**self.common(entry, entry["output"]), output=entry["output"]) for entry in entries["table"]]
         self.require_distinct()
+        self.ask(main)
+
+    def task(self, accepted):
+        """How the command of a task begins. `accepted`: an exit code of its program that is no failure."""
+        return self.one_thread + "{plan.run_task:q} {log:q} {resources.attempt_number} " + f"{accepted} "
+
+    def remove_leftovers(self):
+        for sweep in self.sweeps:
+            sweep.remove_leftovers(time.time())
+
+    def number_of_tries(self, given):
+        if not isinstance(given, int) or isinstance(given, bool) or given < 0:
+            self.refuse(f"tries cannot be {given!r}", "it is a whole number from 0", "Correct it.")
+        return given
 
     def refuse(self, problem, why, what_to_do):
         raise ConfigError(f"{self.source}: {problem} ({why}) {what_to_do}")
@@ -136,6 +239,11 @@ class Plan:
             self.refuse(str(error), "the file is not valid TOML", "Correct the line.")
 
     def folder_of_programs(self, given, cluster_folder):
+        if not isinstance(given, str):
+            self.refuse(f"programs cannot be {given!r}", "it is a text, the folder of the programs", "Correct it.")
+        return self.found_folder(given, cluster_folder)
+
+    def found_folder(self, given, cluster_folder):
         """As the file says; or CONFORMAL_BIN, this project's own build, the programs of this installed tree, the PATH."""
         tools = cluster_folder.resolve().parent
         found = shutil.which("bem_contact")
@@ -164,7 +272,7 @@ class Plan:
                 self.refuse(f"unknown key '{key}' in [[{table}]]", "there are " + ", ".join(sorted(needed | set(defaults))),
                             "Correct it.")
             wanted = list if key in ("files", "options", "needs") else type(defaults.get(key, ""))
-            if not isinstance(value, wanted) or isinstance(value, bool) or wanted is int and value < 1:
+            if not isinstance(value, wanted) or isinstance(value, bool) or wanted is int and value < (key != "slots"):
                 self.refuse(f"{table}.{key} cannot be {value!r}",
                             {int: "it is a whole number from 1", str: "it is a text", list: "it is a list of texts"}[wanted],
                             "Correct it.")
@@ -198,31 +306,64 @@ class Plan:
     def common(self, entry, result):
         require_safe(result)
         inputs = [require_safe(entry["scene"])] + [require_safe(one) for one in entry["needs"]]
-        return {"name": self.rule_name(result), "scene": entry["scene"], "options": entry["options"],
-                "inputs": inputs + ([self.bodies_are_there] if self.bodies else []),
+        return {"name": self.rule_name(result), "scene": entry["scene"], "options": entry["options"], "inputs": inputs,
                 "threads": entry.get("threads", 1), "resources": resources(entry)}
 
     def sweep_of(self, entry):
         if entry["csv"]:
             require_safe(entry["csv"])
         sweep = Sweep(**self.common(entry, entry["output"]), output=entry["output"], csv=entry["csv"],
-                      cases=self.count(entry["scene"]), of_a_task=entry["cases"])
+                      of_a_task=entry["cases"], slots=entry["slots"], minutes=entry["minutes"])
         sweep.join_resources = resources({"memory": 500, "minutes": entry["minutes"]})
         return sweep
 
-    def count(self, scene):
-        done = subprocess.run([self.bem_contact, "sweep", scene, "--count"], capture_output=True, text=True)
+    def ask(self, main):
+        """Adds to each task the files that its scene names, and to sweeps how many cases they have. A job of a cluster takes what
+        the Snakemake that submitted it was told."""
+        known = {} if main or not os.path.exists(MEMORY) else json.loads(Path(MEMORY).read_text(encoding="utf-8"))
+        made = {os.path.abspath(one): one for one in self.influence_files()}
+        for task in self.sweeps + self.wear + self.studies + self.tables:
+            if task.scene not in known:
+                known[task.scene] = {"inputs": self.said(task.scene, "check", task.scene, "--inputs").splitlines()}
+            task.inputs = list(dict.fromkeys(task.inputs + list(self.named_by(task.scene, known[task.scene]["inputs"], made))))
+        for sweep in self.sweeps:
+            if "cases" not in known[sweep.scene]:
+                known[sweep.scene]["cases"] = int(self.said(sweep.scene, "sweep", sweep.scene, "--count"))
+            sweep.cases = known[sweep.scene]["cases"]
+        if main:
+            Path(MEMORY).parent.mkdir(exist_ok=True)
+            Path(MEMORY + ".new").write_text(json.dumps(known), encoding="utf-8")
+            os.replace(MEMORY + ".new", MEMORY)
+
+    def said(self, scene, *arguments):
+        done = subprocess.run([self.bem_contact, *arguments], capture_output=True, text=True)
         if done.returncode != 0:
-            raise ConfigError(f"{self.source}: the sweep '{scene}' cannot be done:\n{done.stderr.strip()}")
-        return int(done.stdout)
+            raise ConfigError(f"{self.source}: the scene '{scene}' cannot be solved:\n{done.stderr.strip()}")
+        return done.stdout
+
+    def named_by(self, scene, files, made):
+        """Those as Snakemake knows them: one of a body has the name that its rule gives it."""
+        for file in files:
+            if os.path.abspath(file) in made:
+                yield made[os.path.abspath(file)]
+            elif not os.path.exists(file):
+                self.refuse(f"the scene '{scene}' names '{file}'", "there is no such file, and no [[body]] makes it",
+                            "Correct the scene, or add the body.")
+            elif is_safe(file):
+                yield os.path.normpath(file)
 
     def require_distinct(self):
-        seen = set()
+        seen = {os.path.abspath(self.source)} | {os.path.abspath(one) for one in self.given_files()}
         for result in self.results():
             place = os.path.abspath(result)
             if place in seen:
-                self.refuse(f"two tasks write '{result}'", "one would replace the other's", "Give each its own name.")
+                self.refuse(f"two tasks write '{result}', or one does that is given it", "what is there would be replaced",
+                            "Give each result a name of its own.")
             seen.add(place)
+
+    def given_files(self):
+        return ([body.file for body in self.bodies] +
+                [one for task in self.sweeps + self.wear + self.studies + self.tables for one in task.inputs])
 
     def influence_files(self):
         return [body.influence for body in self.bodies]
@@ -232,12 +373,12 @@ class Plan:
                 [one.folder + "/finished" for one in self.wear + self.studies] + [table.output for table in self.tables])
 
 
-def read(file, cluster_folder):
-    """The plan of a config.toml. Throws ConfigError for a file that says none."""
+def read(file, cluster_folder, main=True):
+    """The plan of a config.toml. `main`: is_main(). Throws ConfigError for a file that says none."""
     require_folder(os.getcwd())
     try:
         text = Path(file).read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
         raise ConfigError(f"'{file}' cannot be read ({error}) Copy tools/cluster/config.toml to the folder where you call "
                           "Snakemake, and change it.") from None
-    return Plan(text, file, cluster_folder)
+    return Plan(text, file, cluster_folder, main)

@@ -96,7 +96,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/examples DESTINATION ${CMAKE_INSTA
 # Pictures: the program and the Python package of the same tree draw them.
 install(PROGRAMS ${PROJECT_SOURCE_DIR}/tools/plot ${PROJECT_SOURCE_DIR}/tools/paraview ${PROJECT_SOURCE_DIR}/tools/influence
   DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact/tools)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/cluster DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact/tools
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/cluster DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact/tools USE_SOURCE_PERMISSIONS
   PATTERN __pycache__ EXCLUDE PATTERN slurm_sweep EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/standards ${PROJECT_SOURCE_DIR}/data/scenes ${PROJECT_SOURCE_DIR}/data/bodies ${PROJECT_SOURCE_DIR}/data/influence
   DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact)

@@ -1,6 +1,5 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/output_names.hpp"
-#include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -10,6 +9,7 @@
 #include "bem_contact/record/json.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/uses/fatigue/fatigue_of_result.hpp"
+#include "bem_contact/uses/sweep/sweep_inputs.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

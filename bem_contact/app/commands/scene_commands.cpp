@@ -4,7 +4,6 @@
 #include "bem_contact/app/output/repeat.hpp"
 #include "bem_contact/app/output/report.hpp"
 #include "bem_contact/app/output/vtk_file.hpp"
-#include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -18,6 +17,7 @@
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/settings.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
+#include "bem_contact/uses/sweep/sweep_inputs.hpp"
 #include "bem_contact/uses/wheelset/solve_wheelset.hpp"
 
 #include <CLI/CLI.hpp>
@@ -74,6 +74,7 @@ struct SceneArguments {
   std::string folder;              ///< of a repeated result: where its scene's paths start
   std::vector<std::string> models; ///< of compare; empty: models_to_compare()
   bool json = false, strict = false;
+  bool inputs = false; ///< of check: only name the files
   int threads = 1;
 };
 
@@ -212,6 +213,11 @@ SceneDescription describe_sweep(const SweepFile& sweep) {
 
 ExitCode run_check(const SceneArguments& arguments) {
   const SceneText given = read_scene_text(arguments.file);
+  if (arguments.inputs) {
+    for (const std::string& file : named_inputs(given))
+      fmt::print("{}\n", file);
+    return success;
+  }
   const SceneDescription found =
       has_sweep(given) ? describe_sweep(parse_sweep_file(given)) : describe_scene(parse_scene_file(given));
   for (const std::string& line : found.lines)
@@ -279,6 +285,9 @@ Command add_check(CLI::App& program) {
   const auto arguments = std::make_shared<SceneArguments>();
   CLI::App* line = add_scene_command(program, "check", "Check a scene and its files; solve nothing",
                                      check_help, *arguments);
+  line->add_flag("--inputs", arguments->inputs,
+                 "Print the name of each file that the scene reads, one a line, and nothing else; influence "
+                 "files need not be there yet");
   return {line, [arguments] { return run_check(*arguments); }};
 }
 

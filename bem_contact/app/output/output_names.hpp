@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
+#include "bem_contact/uses/sweep/sweep_inputs.hpp"
 
 namespace bem_contact::app {
 
@@ -13,11 +14,6 @@ void require_page_name(const Output& output);
 /// pages (--plot).
 void require_named_outputs(const std::vector<std::filesystem::path>& inputs,
                            const std::vector<Output>& outputs);
-
-/// Why a command does not continue the work that it finds in a file: it was begun with other input, as its
-/// digest shows.
-inline constexpr const char* digest_changed =
-    "the scene, a file that it names, an option or this program (version or commit) has changed since";
 
 /// read_given_scene() for a command with these outputs, none of which may be a file that it reads. If there
 /// is a result file among them, the inputs are recorded.

@@ -2,7 +2,6 @@
 #include "bem_contact/app/study/input_spread.hpp"
 #include "bem_contact/app/study/study_parts.hpp"
 #include "bem_contact/app/study/study_record.hpp"
-#include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/file_lock.hpp"
@@ -10,6 +9,7 @@
 #include "bem_contact/record/error_text.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/report/report_page.hpp"
+#include "bem_contact/uses/sweep/sweep_inputs.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -2,7 +2,6 @@
 
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/study/run_line.hpp"
-#include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/file_lock.hpp"
 #include "bem_contact/base/input_file.hpp"
@@ -11,6 +10,7 @@
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/scene/command_tables.hpp"
+#include "bem_contact/uses/sweep/sweep_inputs.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

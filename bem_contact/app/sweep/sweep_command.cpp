@@ -1,10 +1,7 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/sweep/sweep_csv.hpp"
-#include "bem_contact/app/sweep/sweep_inputs.hpp"
-#include "bem_contact/app/sweep/sweep_join.hpp"
 #include "bem_contact/app/sweep/sweep_on_cores.hpp"
-#include "bem_contact/app/sweep/sweep_table.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
@@ -14,6 +11,9 @@
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
+#include "bem_contact/uses/sweep/sweep_inputs.hpp"
+#include "bem_contact/uses/sweep/sweep_join.hpp"
+#include "bem_contact/uses/sweep/sweep_table.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -59,6 +59,8 @@ struct SweepRequest {
   std::string cases;              ///< "3200:6400"; "": all
   std::vector<std::string> parts; ///< to be joined
   bool count = false;             ///< solve nothing: say how many cases there are
+  bool all_cases = false;         ///< of --join: a missing case is an error
+  bool damaged = false;           ///< of --join: only name the parts that are damaged
   bool strict = false;            ///< a case with a warning is refused
   std::vector<std::string> gone;  ///< options of former versions
 
@@ -94,7 +96,7 @@ CaseRange range_of(const std::string& text, std::size_t cases) {
 
 /// Whether the output is there with all cases, none of which died. Throws InputError if it is not a file of
 /// this sweep.
-bool is_complete(const std::filesystem::path& output, const std::string& digest) {
+bool is_complete(const std::filesystem::path& output, const AskedSweep& asked) {
   if (!file_exists(output))
     return false;
   std::optional<H5Reader> file;
@@ -106,9 +108,10 @@ bool is_complete(const std::filesystem::path& output, const std::string& digest)
   const auto is = [&](const char* name, const std::string& value) {
     return text_attribute(top, name) == value;
   };
-  if (!is("format", sweep_format) || !is("digest", digest))
+  if (!is("format", sweep_format) || !is("digest", asked.digest))
     throw InputError(fmt::format("The output '{}' exists and is not of this sweep", output.string()),
-                     is("format", sweep_format) ? digest_changed : "it was not made by bem_contact sweep",
+                     is("format", sweep_format) ? what_changed(*file, asked.origins)
+                                                : "it was not made by bem_contact sweep",
                      "Give another output, or remove the file.");
   const auto none = [&](const char* name) { return file->number(name) == 0; };
   return none("missing_count") && none("died_count");
@@ -128,7 +131,8 @@ void check_outputs(const SweepFile& sweep, const SweepRequest& request,
 
 AskedSweep asked_sweep(const SweepRequest& request, SweepFile sweep) {
   AskedSweep asked{request.scene, std::move(sweep), request.model, request.strict};
-  asked.digest = digest_of(asked.sweep, request.options());
+  asked.origins = origins_of(asked.sweep, request.options());
+  asked.digest = digest_of(asked.origins);
   return asked;
 }
 
@@ -186,16 +190,49 @@ void print_missing(const SweepRequest& request, const std::vector<CaseRange>& mi
                request.model.empty() ? "" : " --model " + request.model, request.strict ? " --strict" : "");
 }
 
+void require_all_cases(const SweepRequest& request, const std::vector<CaseRange>& missing) {
+  std::size_t count = 0;
+  for (const CaseRange& cases : missing)
+    count += cases.size();
+  if (!request.all_cases || count == 0)
+    return;
+  print_missing(request, missing);
+  throw InputError(counted(count, "case", "cases") + " cannot be joined",
+                   "no part has them, and --all-cases asks for every one", "Solve them (see above).");
+}
+
+/// Reads every number where that failed, so that all damaged parts are named at once.
+void join_whole_parts(const AskedSweep& asked, const std::vector<SweepPart>& parts,
+                      const std::vector<std::filesystem::path>& names, const std::string& output) {
+  try {
+    join(asked, parts, {}, output);
+  } catch (const InputError&) {
+    require_parts(find_parts(asked, names, PartCheck::all));
+    throw;
+  }
+}
+
 ExitCode run_join(const SweepRequest& request, SweepFile sweep) {
   const std::vector<std::filesystem::path> names(request.parts.begin(), request.parts.end());
   check_outputs(sweep, request, names);
   say_what_is_kept(sweep);
   const AskedSweep asked = asked_sweep(request, std::move(sweep));
   const std::vector<SweepPart> parts = read_parts(asked, names);
-  join(asked, parts, {}, request.output);
+  const std::vector<CaseRange> missing = missing_ranges(parts, asked.sweep.size());
+  require_all_cases(request, missing);
+  join_whole_parts(asked, parts, names, request.output);
   const ExitCode code = say_what_was_found(asked, request, "");
-  print_missing(request, missing_ranges(parts, asked.sweep.size()));
+  print_missing(request, missing);
   return code;
+}
+
+/// For programs: the name of each damaged part, one a line.
+ExitCode print_damaged(const SweepRequest& request, SweepFile sweep) {
+  const std::vector<std::filesystem::path> names(request.parts.begin(), request.parts.end());
+  const AskedSweep asked = asked_sweep(request, std::move(sweep));
+  for (const std::filesystem::path& file : find_parts(asked, names, PartCheck::all).damaged)
+    fmt::print("{}\n", file.string());
+  return success;
 }
 
 /// All cases that are not solved yet, on this machine.
@@ -205,7 +242,7 @@ ExitCode run_all(const SweepRequest& request, SweepFile sweep) {
   const AskedSweep asked = asked_sweep(request, std::move(sweep));
   const PartsFolder folder(asked, request.output);
   std::string head;
-  if (is_complete(request.output, asked.digest)) {
+  if (is_complete(request.output, asked)) {
     head = fmt::format("'{}' is complete: nothing was solved\n", request.output);
     require_table(H5Reader(request.output), asked.columns(), asked.sweep.size());
     folder.clear(folder.parts()); // a kill left them after the file was done
@@ -230,6 +267,8 @@ ExitCode run_sweep(const SweepRequest& request) {
     fmt::print("{}\n", sweep.size());
     return success;
   }
+  if (request.damaged)
+    return print_damaged(request, std::move(sweep));
   if (request.output.empty())
     throw CLI::RequiredError("--output");
   if (!request.cases.empty())
@@ -258,10 +297,13 @@ Command add_sweep(CLI::App& program) {
       line->add_option("--cases", r.cases,
                        "A:B: solve the cases A to B - 1 (the first is 0) in this process, and write a part");
   cases->excludes(jobs)->excludes(csv);
-  line->add_option("--join", r.parts,
-                   "Solve nothing; make the file of all from these parts, or from all in a folder")
-      ->excludes(cases)
-      ->excludes(jobs);
+  CLI::Option* parts = line->add_option(
+      "--join", r.parts, "Solve nothing; make the file of all from these parts, or from all in a folder");
+  parts->excludes(cases)->excludes(jobs);
+  line->add_flag("--all-cases", r.all_cases, "With --join: write nothing if a case is missing")->needs(parts);
+  line->add_flag("--damaged", r.damaged,
+                 "With --join: write nothing; print the name of each damaged part, one a line")
+      ->needs(parts);
   line->add_option("--part,--merge", r.gone)->expected(0, 1)->group(""); // hidden
   line->footer(sweep_help);
   return {line, [request] { return run_sweep(*request); }};

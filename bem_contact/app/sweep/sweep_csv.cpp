@@ -1,10 +1,10 @@
 #include "bem_contact/app/sweep/sweep_csv.hpp"
 
-#include "bem_contact/app/sweep/sweep_table.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/schema_text.hpp"
 #include "bem_contact/record/csv.hpp"
+#include "bem_contact/uses/sweep/sweep_table.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "bem_contact/app/sweep/sweep_join.hpp"
-#include "bem_contact/app/sweep/sweep_part.hpp"
 #include "bem_contact/base/file_lock.hpp"
+#include "bem_contact/uses/sweep/sweep_join.hpp"
+#include "bem_contact/uses/sweep/sweep_part.hpp"
 
 #include <cstddef>
 #include <filesystem>

@@ -1,6 +1,5 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/sweep/numbers_by_children.hpp"
-#include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/app/wear/one_contact.hpp"
 #include "bem_contact/app/wear/wear_influence.hpp"
 #include "bem_contact/app/wear/wear_state.hpp"
@@ -13,6 +12,7 @@
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/record/error_text.hpp"
 #include "bem_contact/scene/settings.hpp"
+#include "bem_contact/uses/sweep/sweep_inputs.hpp"
 #include "bem_contact/uses/wear/study.hpp"
 
 #include <CLI/CLI.hpp>

@@ -32,6 +32,11 @@ BEM_CONTACT_TUNED(double, least_start_slope, 0.4);
 /// 1. Two pressure forces give a secant if they differ by more than this share of the noise of sums of
 /// forces, which loosely solved problems have: loose_tolerance. Chosen.
 BEM_CONTACT_TUNED(double, least_secant_step, 0.1);
+/// Outer iterations. Over so many their rate of convergence is judged. Of accelerated ones single changes say
+/// nothing. Chosen: with twice as many, half of all that are allowed by default pass before anything is said.
+BEM_CONTACT_TUNED(int, iterations_of_a_rate, 12);
+/// 1. Iterations end without a result if they need more than this times those that are left. Chosen.
+BEM_CONTACT_TUNED(double, hopeless_factor, 2);
 /// Former iterations that Anderson acceleration uses. Chosen.
 BEM_CONTACT_TUNED(int, anderson_memory, 5);
 /// 1. Anderson acceleration starts anew if the residual exceeds anderson_restart times the best one. Its

@@ -6,6 +6,7 @@
 #include "bem_contact/contact/coupled/force_balance.hpp"
 #include "bem_contact/contact/coupled/outer_iteration.hpp"
 #include "bem_contact/contact/coupled/settings.hpp"
+#include "bem_contact/contact/coupled/settling_rate.hpp"
 #include "bem_contact/contact/coupled/start.hpp"
 #include "bem_contact/contact/coupled/tolerance_schedule.hpp"
 #include "bem_contact/contact/settings.hpp"
@@ -137,8 +138,10 @@ void OuterLoop::advance(const VectorXd& residual) {
 bool OuterLoop::run(const RoughLook* look) {
   const ContactProblem& problem = system_.problem;
   double first_residual = 0;
+  SettlingRate rate;
   SolverOptions options = options_;
   for (int outer = 0; outer < options_.max_outer; ++outer) {
+    const int left = options_.max_outer - outer - 1;
     options.tolerance = tolerance_.now();
     if (outer == 0 && options.near)
       iterate_under_held_pressure();
@@ -168,7 +171,7 @@ bool OuterLoop::run(const RoughLook* look) {
     if (tolerance_.is_close(change)) // the same again, precisely
       continue;
     solution_.unbalanced = system_.by_force && balance_.at_the_most(solution_.pressed, solution_.borne);
-    if (solution_.unbalanced)
+    if (solution_.unbalanced || rate.is_hopeless(change, settling_factor * options_.tolerance, left))
       return false;
     advance(residual);
   }
@@ -179,14 +182,18 @@ bool OuterLoop::run(const RoughLook* look) {
 bool settle_displacements(const CoupledSystem& system, const SolverOptions& options, WorkBudget& work,
                           Solution& solution) {
   Anderson anderson;
+  SettlingRate rate;
+  const double enough = settling_factor * options.tolerance;
   VectorXd v = solution.from_shear;
   for (int outer = 0; outer < options.max_outer; ++outer) {
     iterate_once(system, options, v, {LoadKind::force, 0, solution.pressed}, work, solution);
     solution.from_shear = normal_displacement(*system.shear, solution);
     const VectorXd residual = solution.from_shear - v;
-    if (residual.cwiseAbs().maxCoeff() <=
-        settling_factor * options.tolerance * solution.normal.u.cwiseAbs().maxCoeff())
+    const double change = residual.cwiseAbs().maxCoeff() / solution.normal.u.cwiseAbs().maxCoeff();
+    if (change <= enough)
       return true;
+    if (rate.is_hopeless(change, enough, options.max_outer - outer - 1))
+      return false;
     v = anderson.next(v, residual);
   }
   return false;
@@ -213,16 +220,16 @@ bool balance_apart(const CoupledSystem& system, const SolverOptions& options, Wo
   return false;
 }
 
-/// What the solvers say of it. `most`: outer iterations that were allowed, before balance_apart().
-std::string remark_of(const Solution& solution, bool settled, int most) {
+/// What the solvers say of it. `first`: outer iterations before balance_apart().
+std::string remark_of(const Solution& solution, bool settled, int first) {
   std::string remark = solution.normal.remark;
   if (!remark.empty())
     remark += separator;
   remark += solution.shear.remark;
   if (!settled) {
     remark += "normal and tangential problem did not settle in " +
-              counted(std::min(most, solution.outer_iterations), "outer iteration", "outer iterations");
-    if (const int apart = solution.outer_iterations - most; apart > 0)
+              counted(first, "outer iteration", "outer iterations");
+    if (const int apart = solution.outer_iterations - first; apart > 0)
       remark += fmt::format(", nor in {} more with the force of the pressure held", apart);
   }
   if (remark.ends_with(separator))
@@ -258,12 +265,13 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
   Solution solution = start(problem, options, operators, work);
   const CoupledSystem system(problem, operators, settling_factor * options.tolerance, work);
   bool settled = OuterLoop(system, options, work, solution).run(look);
+  const int first = solution.outer_iterations;
   if (!settled && system.by_force && system.by_numbers && !solution.unbalanced)
     settled = balance_apart(system, options, work, solution);
   require_capacity(problem, solution.creepage);
   set_distance(system, solution);
   solution.settled = settled;
-  solution.remark = remark_of(solution, settled, options.max_outer);
+  solution.remark = remark_of(solution, settled, first);
   return solution;
 }
 

@@ -1,4 +1,4 @@
-#include "bem_contact/app/sweep/sweep_table.hpp"
+#include "bem_contact/uses/sweep/sweep_table.hpp"
 
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
@@ -9,7 +9,7 @@
 #include <functional>
 #include <map>
 
-namespace bem_contact::app {
+namespace bem_contact {
 
 namespace {
 
@@ -64,7 +64,7 @@ std::string description_of(const SweepFile::Axis& axis) {
   for (const SchemaValue& value : axis.values) {
     if (out.size() > longest_list)
       return out + " ...";
-    out.append(" ").append(bem_contact::to_text(value));
+    out.append(" ").append(to_text(value));
   }
   return out;
 }
@@ -204,4 +204,4 @@ SweepSummary sweep_summary(const H5Reader& file, std::size_t cases, const std::s
   return out;
 }
 
-} // namespace bem_contact::app
+} // namespace bem_contact

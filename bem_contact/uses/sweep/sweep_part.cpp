@@ -1,16 +1,16 @@
-#include "bem_contact/app/sweep/sweep_part.hpp"
+#include "bem_contact/uses/sweep/sweep_part.hpp"
 
-#include "bem_contact/app/output/output_names.hpp"
-#include "bem_contact/app/sweep/sweep_table.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/sequence/result_file.hpp"
+#include "bem_contact/uses/sweep/sweep_table.hpp"
 
 #include <fmt/format.h>
 #include <new>
 
-namespace bem_contact::app {
+namespace bem_contact {
 
 namespace {
 
@@ -33,12 +33,15 @@ H5Table head_of(const AskedSweep& asked, CaseRange cases) {
 } // namespace
 
 CaseRange solve_part(const AskedSweep& asked, CaseRange cases, const std::shared_ptr<SequenceFiles>& files,
-                     const std::filesystem::path& file, double slow_case, const std::function<void()>& kept) {
+                     const std::filesystem::path& file, double slow_case, const std::function<void()>& kept,
+                     const std::atomic<bool>* stop) {
   H5Writer writer(file);
   H5Table group;
   std::vector<SweepCase> solved;
-  SweepOptions options{
-      .model = asked.model, .strict = asked.strict, .displacements = asked.sweep.keeps_fields()};
+  SweepOptions options{.model = asked.model,
+                       .strict = asked.strict,
+                       .displacements = asked.sweep.keeps_fields(),
+                       .stop = stop};
   if (asked.sweep.keeps_fields())
     options.seen = [&](const std::string& wheel, const SceneResult& result) {
       add_group(group, wheel, record::to_h5(case_record(result)));
@@ -61,6 +64,7 @@ CaseRange solve_part(const AskedSweep& asked, CaseRange cases, const std::shared
   cases.last = cases.first + solved.size();
   H5Table top = table_of(asked.sweep, asked.columns(), solved);
   add_group(top, "", head_of(asked, cases));
+  add_origins(top, asked.origins);
   top.checksums = true;
   writer.add(top);
   writer.finish();
@@ -69,34 +73,50 @@ CaseRange solve_part(const AskedSweep& asked, CaseRange cases, const std::shared
 
 namespace {
 
-/// Throws InputError where the file is no part of this sweep.
-CaseRange cases_in(const AskedSweep& asked, const std::filesystem::path& file, const H5Reader& reader) {
-  const H5Table head = reader.attributes();
-  const auto refuse = [&](const char* problem, const char* why, const char* what_to_do) {
-    throw InputError(fmt::format("The file '{}' {}", file.string(), problem), why, what_to_do);
+/// What cannot be read is damaged.
+template <class Read> auto or_damaged(Read read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    throw PartFault(error.what(), "damaged", true);
+  }
+}
+
+/// Throws what read_part() does.
+CaseRange cases_in(const AskedSweep& asked, const H5Reader& reader) {
+  const auto refuse = [&](const char* problem, const std::string& why, const char* what_to_do, bool damaged) {
+    const Error error(fmt::format("The file '{}' {}", reader.file().string(), problem), why, what_to_do);
+    throw PartFault(error.what(), fmt::format("{}: {}", problem, why), damaged);
   };
-  const std::string format = text_attribute(head, "format");
-  if (format != sweep_part_format)
-    refuse("is no part of a sweep", "it was not made by bem_contact sweep --cases", "Leave it out.");
+  const H5Table head = or_damaged([&] { return reader.attributes(); });
+  if (text_attribute(head, "format") != sweep_part_format)
+    refuse("is no part of a sweep", "it was not made by bem_contact sweep --cases", "Leave it out.", false);
   if (text_attribute(head, "digest") != asked.digest)
-    refuse("belongs to another sweep", digest_changed,
-           "Finish that sweep with what it began with, give another output, or solve its cases again.");
+    refuse("belongs to another sweep", what_changed(reader, asked.origins),
+           "Finish that sweep with what it began with, give another output, or solve its cases again.",
+           false);
   const double first = number_attribute(head, "first_case"), last = number_attribute(head, "last_case");
   if (!(first >= 0 && first < last && last <= static_cast<double>(asked.sweep.size())))
-    refuse("is damaged", "the sweep does not have its cases", "Solve them again.");
+    refuse("is damaged", "the sweep does not have its cases", "Solve them again.", true);
   return {static_cast<std::size_t>(first), static_cast<std::size_t>(last)};
 }
 
 } // namespace
 
 CaseRange cases_in_part(const AskedSweep& asked, const std::filesystem::path& file) {
-  return cases_in(asked, file, H5Reader(file));
+  return cases_in(asked, H5Reader(file));
 }
 
 SweepPart read_part(const AskedSweep& asked, const std::filesystem::path& file) {
-  const H5Reader reader(file);
-  const CaseRange cases = cases_in(asked, file, reader);
-  return {file, cases, require_table(reader, asked.columns(), cases.size())};
+  if (!is_regular(file))
+    H5Reader{file}; // says that it is not there
+  const H5Reader reader = or_damaged([&] { return H5Reader(file); });
+  const CaseRange cases = cases_in(asked, reader);
+  return {file, cases, or_damaged([&] { return require_table(reader, asked.columns(), cases.size()); })};
 }
 
-} // namespace bem_contact::app
+void require_whole(const std::filesystem::path& file) {
+  or_damaged([&] { return read_h5(file); });
+}
+
+} // namespace bem_contact

@@ -1,18 +1,19 @@
-#include "bem_contact/app/sweep/sweep_join.hpp"
+#include "bem_contact/uses/sweep/sweep_join.hpp"
 
-#include "bem_contact/app/sweep/sweep_inputs.hpp"
-#include "bem_contact/app/sweep/sweep_table.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/uses/sweep/sweep_inputs.hpp"
+#include "bem_contact/uses/sweep/sweep_table.hpp"
 
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <functional>
 
-namespace bem_contact::app {
+namespace bem_contact {
 
 namespace {
 
@@ -63,6 +64,7 @@ public:
   void finish(const std::filesystem::path& output) {
     H5Table top = record::to_h5(headed(sweep_format, given_sweep(asked_.sweep, asked_.model), output));
     top.attributes["digest"] = asked_.digest;
+    add_origins(top, asked_.origins);
     add_counts(top, counts_);
     writer_.add(top);
     writer_.finish();
@@ -77,9 +79,8 @@ private:
         count(values, part);
       if (name == std::string(patch_group) + "case")
         require_within(part.cases, values, name, part.file);
-      writer_.put(name, of_patches ? patches_ : part.cases.first, values);
+      writer_.put(name, values);
     }
-    patches_ += part.patches;
   }
 
   void count(const std::vector<double>& status, const SweepPart& part) {
@@ -97,28 +98,75 @@ private:
   const AskedSweep& asked_;
   H5Writer writer_;
   std::vector<std::string> names_;
-  std::size_t patches_ = 0; ///< rows that are written
   std::array<std::size_t, EnumNames<CaseStatus>::names.size()> counts_{};
 };
 
 } // namespace
 
-std::vector<SweepPart> read_parts(const AskedSweep& asked, const std::vector<std::filesystem::path>& names) {
-  std::vector<SweepPart> parts;
+namespace {
+
+/// Folders stand for what is in them.
+std::vector<std::filesystem::path> files_of_parts(const std::vector<std::filesystem::path>& names) {
+  std::vector<std::filesystem::path> files;
   for (const std::filesystem::path& name : names)
     if (!std::filesystem::is_directory(name))
-      parts.push_back(read_part(asked, name));
+      files.push_back(name);
     else
       for (const auto& entry : std::filesystem::directory_iterator(name))
         if (entry.path().extension() == ".h5" && is_regular(entry.path()))
-          parts.push_back(read_part(asked, entry.path()));
+          files.push_back(entry.path());
+  std::ranges::sort(files);
+  return files;
+}
+
+} // namespace
+
+FoundParts find_parts(const AskedSweep& asked, const std::vector<std::filesystem::path>& names,
+                      PartCheck check) {
+  FoundParts found;
+  for (const std::filesystem::path& file : files_of_parts(names))
+    try {
+      SweepPart part = read_part(asked, file);
+      if (check == PartCheck::all)
+        require_whole(file);
+      found.parts.push_back(std::move(part));
+    } catch (const PartFault& fault) {
+      if (fault.damaged)
+        found.damaged.push_back(file);
+      if (found.others.empty())
+        found.first_fault = fault.what();
+      found.others[fault.why].push_back(fmt::format("'{}'", file.string()));
+    }
+  std::vector<SweepPart>& parts = found.parts;
   std::ranges::sort(parts, {}, [](const SweepPart& part) { return part.cases.first; });
   for (std::size_t k = 1; k < parts.size(); ++k)
     if (parts[k].cases.first < parts[k - 1].cases.last)
       throw InputError(fmt::format("Two parts of the sweep have case {}", parts[k].cases.first),
                        fmt::format("'{}' and '{}'", parts[k - 1].file.string(), parts[k].file.string()),
                        "Leave out one of them.");
-  return parts;
+  return found;
+}
+
+void require_parts(const FoundParts& found) {
+  std::size_t count = 0;
+  std::vector<std::string> reasons;
+  for (const auto& [why, names] : found.others) {
+    count += names.size();
+    reasons.push_back(fmt::format("{}: {}", why, fmt::join(names, ", ")));
+  }
+  if (count == 1)
+    throw InputError(found.first_fault);
+  if (count > 1)
+    throw InputError(fmt::format("{} parts of the sweep cannot be joined", count),
+                     fmt::format("{}", fmt::join(reasons, "; ")),
+                     "Remove them, and solve their cases again: --join then says which are missing.");
+}
+
+std::vector<SweepPart> read_parts(const AskedSweep& asked, const std::vector<std::filesystem::path>& names) {
+  FoundParts found = find_parts(asked, names, PartCheck::head);
+  if (!found.others.empty()) // all that are damaged are named at once
+    require_parts(find_parts(asked, names, PartCheck::all));
+  return std::move(found.parts);
 }
 
 std::vector<CaseRange> missing_ranges(const std::vector<SweepPart>& parts, std::size_t cases) {
@@ -152,4 +200,4 @@ void join(const AskedSweep& asked, const std::vector<SweepPart>& parts, const Di
   joined.finish(output);
 }
 
-} // namespace bem_contact::app
+} // namespace bem_contact

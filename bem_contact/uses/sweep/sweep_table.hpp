@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-namespace bem_contact::app {
+namespace bem_contact {
 
 /// Rows of a sweep that are in memory at once, as they are joined, summed up and written as CSV: some
 /// megabytes.
-inline constexpr std::size_t rows_at_once = 8192;
+inline constexpr std::size_t rows_at_once = rows_of_a_chunk;
 
 /// The table of a sweep, in its file and in the files of its parts.
 ///
@@ -57,4 +57,4 @@ struct SweepSummary {
 /// Of a sweep's file, or of one of a part, with so many cases; `head` comes first in the text.
 SweepSummary sweep_summary(const H5Reader& file, std::size_t cases, const std::string& head);
 
-} // namespace bem_contact::app
+} // namespace bem_contact
