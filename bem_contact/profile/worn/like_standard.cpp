@@ -37,8 +37,8 @@ constexpr double surely_like_share = 0.5;
 /// top and .6 mm off the gauge corner move that by symmetry by 4 mrad (46E3), and 49E1 lies on 54E1 turned by
 /// 6 mrad and more.
 constexpr double symmetry_slack = 0.005;
-/// rad. A rail that is turned by this or more towards the track's centre was measured as it lies in the
-/// track: half of 1:40, the smallest inclination in use.
+/// rad. A rail that is turned by this or more was measured as it lies in the track: half of 1:40, the
+/// smallest inclination in use.
 constexpr double least_inclination = 0.0125;
 /// rad. Heads turn by 160 degrees from side to side; a running surface that turns by less is another thing.
 constexpr double least_head_turn = 1.0;
@@ -114,23 +114,24 @@ std::optional<LikeStandard> like_standard(const ProfileCurve& curve, ProfileKind
                       near.size() > 1 && ties(near[1], near[0]) ? near[1].name : ""};
 }
 
-double rail_inclination(const ProfileCurve& rail, double scatter) {
+double rail_turn(const ProfileCurve& rail, double scatter) {
   if (rail.at(rail.s_end()).delta - rail.at(rail.s_begin()).delta < least_head_turn)
     return 0;
   const std::optional<HeadTurn> head = turn_by_symmetry(rail);
   const std::optional<double> by_symmetry = head ? std::optional(head->angle) : std::nullopt;
-  if (head && (head->whole || -head->angle < least_inclination - symmetry_slack))
-    return -head->angle >= least_inclination ? -head->angle : 0;
+  const auto as_laid = [](double turn) { return std::abs(turn) >= least_inclination ? turn : 0; };
+  if (head && (head->whole || std::abs(head->angle) < least_inclination - symmetry_slack))
+    return as_laid(head->angle);
   std::vector<Candidate> near = candidates(rail, ProfileKind::rail, by_symmetry, scatter);
   if (by_symmetry) // a standard on which most of the head lies tells more precisely
     std::erase_if(near, [](const Candidate& c) { return c.fit.share < surely_like_share; });
   const std::optional<double> by_standards = turn_by_standards(near);
   const double turn = by_standards ? *by_standards : by_symmetry.value_or(0);
-  return -turn >= least_inclination ? -turn : 0;
+  return as_laid(turn);
 }
 
-std::string inclination_text(double inclination) {
-  return fmt::format("about 1:{:.0f}", 1 / std::tan(inclination));
+std::string inclination_text(double turn) {
+  return fmt::format("about 1:{:.0f}", 1 / std::tan(std::abs(turn)));
 }
 
 } // namespace bem_contact

@@ -21,7 +21,7 @@ struct WornNominal {
   double rms_depth = 0;     ///< root mean square, mm
   double shortest_wave = 0, longest_wave = 0; ///< range of the shortest wavelength kept, mm
   double removed_rms = 0, removed_most = 0;   ///< of the measured depths by smoothing, mm
-  std::string doubt = {}; ///< why it is hardly worn from that profile (not_worn_from()); "": it may be
+  std::string doubt = {}; ///< why that profile does not fit (not_worn_from()); "": it does
 };
 
 /// Points are in the frame and order of ProfileCurve. `smoothing` is the shortest wavelength of the depth
@@ -45,7 +45,7 @@ struct NominalFit {
   bool near = false;
 };
 
-/// Why points that lie so on a nominal profile are hardly worn from it: too many of them lie outside, or a
+/// Why points that lie so on a nominal profile can hardly be worn from it: too many of them lie outside, or a
 /// wheel is turned; "": they may be.
 std::string not_worn_from(const ProfileCurve& nominal, const NominalFit& fit);
 
