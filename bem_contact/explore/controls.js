@@ -26,6 +26,7 @@ const inFieldUnits = message => {
     const shown = text => `${Number(toField(control, Number(text)).toPrecision(6))} ${control.unit}`, quoted = text => text.replace(/[.^/]/g, "\\$&");
     const unit = control.of ? `(?: ${quoted(control.of)}(?![\\w/^]))` : "(?!)";
     message = message.replace(new RegExp(`(${quoted(control.key)} = )(${numeral})${unit}?`, "g"), (_, before, value) => before + shown(value))
+      .replace(new RegExp(`([<>]=? )(${numeral})${unit}?(?! ?${quoted(control.unit)})`, "g"), (_, before, value) => before + shown(value))
       .replace(new RegExp(`(^|[ (])(${numeral})${unit}`, "g"), (_, before, value) => before + shown(value));
   }
   return message;

@@ -82,6 +82,14 @@ const drawContact = async all => {
     document.body.dataset.drawn = drawing;
 };
 
+/// On paper stands the answer that is shown, in every figure.
+const drawAtOnce = () => {
+  const [contact] = contactsOf(data);
+  for (const [id, figure] of contact ? figuresOf(contact) : [])
+    if (figure)
+      drawn(element(id), {...figure, height: HEIGHTS[id]});
+};
+
 const problemShown = message => {
   element("problem").hidden = !message;
   element("problem").textContent = inFieldUnits(message);
@@ -137,6 +145,9 @@ const showNumbers = took => {
   parent.replaceChildren();
   addSix(contact, parent);
   addRemarks(data.remarks, parent);
+  const said = new Set(Object.values(data.remarks ?? {}).map(one => one.attributes?.text));
+  if (contact.group.warnings)
+    contact.group.warnings.text = warningsOf(contact).filter(text => !said.has(text)).join("\n");
   addWarnings([["", contact]], parent, inFieldUnits);
   const more = add("details", "", parent, {id: "more", open: Boolean(open)});
   add("summary", "All numbers, with their errors", more);
@@ -368,6 +379,7 @@ const begin = async () => {
   await loadLibrary();
   let wide = innerWidth;
   addEventListener("resize", () => { if (innerWidth !== wide && data.p_n) { wide = innerWidth; drawContact(true); showHeld(); } });
+  addEventListener("beforeprint", drawAtOnce);
   await ask();
 };
 begin().catch(failed);

@@ -77,21 +77,24 @@ std::string waves_text(const ProfileNoise& noise) {
                          : "";
 }
 
-/// Returns the standard to give as nominal; "" if it is like none.
-std::string warn_of_noise(const std::string& source, const MeasuredProfile& p, ProfileKind kind) {
+/// Advises the standard that it is like as nominal, else smoothing alone.
+void warn_of_noise(const std::string& source, const MeasuredProfile& p, ProfileKind kind,
+                   ReadingAdvice& advice) {
   const std::optional<LikeStandard> like = like_standard(p.curve, kind, p.scatter_left());
   const std::string better =
       like ? fmt::format("; as it looks like {} worn by {:.2g} .. {:.2g} mm, nominal = \"{}\" keeps more of "
                          "its shape",
                          like->name, like->least_depth, like->largest_depth, like->name)
            : "";
-  messages()->warn(
+  advice.nominal = like ? like->name : "";
+  advice.smoothing = p.noise.smoothing;
+  advice.noise_text = fmt::format(
       "{}: its points scatter by {:.2g} um, {:.2g} mm apart{}: a curve through all of them bends to radii of "
       "{:.2g} mm, which moves pressures between steel bodies by some {:.0f} MPa and may split patches "
       "(smoothing = {:.2g} removes it{})",
       source, 1e3 * p.noise.scatter, p.noise.spacing, waves_text(p.noise), 1 / p.noise.bending,
       p.noise.pressure, p.noise.smoothing, better);
-  return like ? like->name : "";
+  messages()->warn("{}", advice.noise_text);
 }
 
 void warn_of_outliers(const std::string& source, const std::vector<Outlier>& outliers) {
@@ -104,17 +107,17 @@ void warn_of_outliers(const std::string& source, const std::vector<Outlier>& out
     messages()->warn("{}: and {} more such points", source, outliers.size() - most_named_outliers);
 }
 
-/// Returns which mirror it advises, if any.
-std::optional<bool> warn_of_worn_side(const std::string& source, std::span<const Point2> points,
-                                      bool mirror) {
+void warn_of_worn_side(const std::string& source, std::span<const Point2> points, bool mirror,
+                       ReadingAdvice& advice) {
   const double worn = more_worn_at_larger_y(points);
   if (worn <= 0)
-    return std::nullopt;
-  messages()->warn(
+    return;
+  advice.mirror = !mirror;
+  advice.mirror_text = fmt::format(
       "{}: its field side (y > 0) is worn by some {:.2g} mm more than its gauge side, and rails wear on "
       "the gauge side: does y of the file point there? (mirror = {} turns it)",
       source, worn, !mirror);
-  return !mirror;
+  messages()->warn("{}", advice.mirror_text);
 }
 
 /// The nominal profile that `reading` names.
@@ -198,7 +201,7 @@ MeasuredProfile parse_measured_profile(std::string_view text, std::string_view s
   const std::vector<Point2> points = repaired(std::move(measured), source, kind, how);
   ReadingAdvice advice;
   if (kind == ProfileKind::rail && !reading.keep_origin)
-    advice.mirror = warn_of_worn_side(source, points, reading.mirror);
+    warn_of_worn_side(source, points, reading.mirror, advice);
   const ProfileNoise noise = measure_noise(points);
   if (noise.coarse)
     messages()->warn(
@@ -210,9 +213,8 @@ MeasuredProfile parse_measured_profile(std::string_view text, std::string_view s
   if (reading.smoothing == 0 && reading.nominal.empty()) {
     MeasuredProfile out{ProfileCurve::through_points(file_name(source), points), points.size(), noise};
     out.outliers = std::move(off);
-    advice.smoothing = noise.smoothing;
     if (noise.smoothing > 0)
-      advice.nominal = warn_of_noise(source, out, kind);
+      warn_of_noise(source, out, kind, advice);
     out.advice = std::move(advice);
     return out;
   }

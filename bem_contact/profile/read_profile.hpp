@@ -22,6 +22,7 @@ struct ReadingAdvice {
       {};               ///< the standard from which it may be worn: it keeps more than smoothing; "": none
   double smoothing = 0; ///< mm; 0: no noise that matters
   std::optional<bool> mirror = {};
+  std::string noise_text = {}, mirror_text = {}; ///< the warnings that advise it
 };
 
 /// A profile file, and what was found out about it on the way.

@@ -86,7 +86,7 @@ std::string to_text(const MeasuredProfile& p, const ProfileFindings& found, Prof
   }
   if (found.like)
     out += like_text(*found.like);
-  out += turn_text(found) + gauged_text(found);
+  out += turn_text(found);
   if (p.worn)
     out += fmt::format("  nominal: {}\n", worn_text(*p.worn));
   if (p.smoothing > 0)
@@ -97,6 +97,7 @@ std::string to_text(const MeasuredProfile& p, const ProfileFindings& found, Prof
         p.takes_shape_away() ? "shape is taken away" : "noise alone", 1e3 * p.largest_noise_removed());
   out +=
       fmt::format("  length: {:.2f} mm, s = {:.2f} .. {:.2f} mm\n", length, curve.s_begin(), curve.s_end());
+  out += gauged_text(found);
   out += "  radii: mean over each stretch, > 0 convex, < 0 concave\n";
   out += "      from s       to s          y          z   inclination    radius\n";
   out += "          mm         mm         mm         mm       degrees        mm\n";

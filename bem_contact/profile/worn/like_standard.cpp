@@ -31,6 +31,12 @@ constexpr double like_tie = 1.5;
 /// 1 (share of the points). A standard on which less of a profile lies is not like it. New wheels of seven
 /// other shapes lie on S1002 by .05 to .16, S1002 worn by 2 mm on the whole tread by .33.
 constexpr double least_unworn_share = 0.25;
+/// 1. A rail whose top is worn all over is told by its flanks: this share of each of them must lie on the
+/// standard,
+constexpr double least_flanks_share = 0.5;
+/// 1. and this share of the whole head. Of a 60E1 with a trough of 2 mm and 18 mm about a place beside the
+/// middle .15 remains; heads of other widths have no place for both flanks.
+constexpr double least_share_with_flanks = 0.1;
 /// 1. On the standard from which it is worn more lies. Chosen.
 constexpr double surely_like_share = 0.5;
 /// rad. Inclinations by a standard and by symmetry that differ by more do not belong together: 1 mm off the
@@ -73,14 +79,15 @@ std::vector<Candidate> candidates(const ProfileCurve& curve, ProfileKind kind, s
     const std::string& name = entry.name;
     const ProfileCurve standard = standard_profile(name);
     const std::vector<UnwornPlace> places = unworn_places(standard, points, scatter);
-    if (places.empty() || places.front().share < least_unworn_share)
+    const double least_share = kind == ProfileKind::rail ? least_share_with_flanks : least_unworn_share;
+    if (places.empty() || places.front().share < least_share)
       continue;
     const NominalFit fit = fit_at(places.front().place, standard, points, scatter);
     const bool turned = kind == ProfileKind::wheel
                             ? std::abs(fit.place.angle) > largest_wheel_turn
                             : turn && std::abs(fit.place.angle - *turn) > symmetry_slack;
-    if (fit.near && !turned && fit.share >= least_unworn_share && fit.outside <= most_outside &&
-        -fit.least <= farthest_added_steel)
+    const bool lies_on = fit.share >= (fit.flanks >= least_flanks_share ? least_share : least_unworn_share);
+    if (fit.near && !turned && lies_on && fit.outside <= most_outside && -fit.least <= farthest_added_steel)
       near.push_back({name, fit, fit.added_rms + worn_share * fit.rms});
   }
   std::ranges::sort(near, {}, &Candidate::unlike);

@@ -40,7 +40,8 @@ struct NominalFit {
   double added_rms = 0;                   ///< root mean square of the depths below 0: of steel outside it, mm
   double share = 0;                       ///< of the points that lie on it but for their scatter
   double outside = 0;                     ///< share of the points that lie outside it by more than that
-  std::size_t beyond = 0;                 ///< points beyond its ends
+  double flanks = 0;      ///< share of those on its steep parts that lie on it, on the side where it is less
+  std::size_t beyond = 0; ///< points beyond its ends
   /// The points may be those of this profile, worn: they lie near it, and most of them not beyond its ends.
   bool near = false;
 };
