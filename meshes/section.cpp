@@ -106,8 +106,8 @@ std::vector<Piece> below_profile(const BodyFile::Body& body, const ProfileCurve&
           "profile lie on it",
           base, place.shift.y, place.shift.z, place.angle, 100 * found.share);
       if (!found.doubt.empty())
-        note += fmt::format("; warning: the profile is hardly worn from {} ({}) Take another body with "
-                            "graft_onto, or give graft_at and graft_angle.",
+        note += fmt::format("; warning: {} does not fit ({}) Take another body with graft_onto, or give "
+                            "graft_at and graft_angle.",
                             base, found.doubt);
     }
     return graft(profile, placed(loop, place.shift, place.angle), base);

@@ -6,6 +6,7 @@
 #include "bem_contact/base/stopped.hpp"
 #include "bem_contact/explore/bodies.hpp"
 #include "bem_contact/explore/settings.hpp"
+#include "bem_contact/profile/messages.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/json.hpp"
 #include "bem_contact/report/report_page.hpp"
@@ -72,7 +73,13 @@ SceneResult Answers::solve(const Question& question, Sequence& sequence, const S
   return sequence.solve(scene, stop.get());
 }
 
+Record Answers::remarks_on(const SceneFile& scene) {
+  const std::scoped_lock lock(solving_);
+  return remarks_.of(scene, [&](const std::string& text) { return scenes_.in_plain_names(text); });
+}
+
 template <class Answer> Reply Answers::replied(const std::string& text, const Answer& answer) {
+  const CollectedMessages of_profiles; // the page shows them (remarks_on()), not the terminal
   const auto said = [&](const char* kind, const std::exception& error) {
     return problem(kind, scenes_.in_plain_names(error.what()));
   };
@@ -95,8 +102,10 @@ Reply Answers::answer(const std::string& question) {
   return replied(question, [&](const Question& asked) {
     const Stop stop = newest(asked.window);
     const SceneResult result = solve(asked, sequence_, stop);
-    const std::string scene = scenes_.in_plain_names(scene_with_defaults(scenes_.scene(asked)));
-    Record data{{"scene_with_defaults", record::Text{scene, "the scene with every key"}}};
+    const SceneFile asked_scene = scenes_.scene(asked);
+    const std::string scene = scenes_.in_plain_names(scene_with_defaults(asked_scene));
+    Record data{{"scene_with_defaults", record::Text{scene, "the scene with every key"}},
+                {"remarks", remarks_on(asked_scene)}};
     data.append(record_of(result));
     return Reply{json_type, record::to_described_json({{"data", std::move(data)}}, not_drawn)};
   });

@@ -2,6 +2,7 @@
 
 #include "bem_contact/explore/asked_scenes.hpp"
 #include "bem_contact/explore/computer.hpp"
+#include "bem_contact/explore/profile_remarks.hpp"
 #include "bem_contact/explore/server.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
@@ -50,12 +51,14 @@ private:
   using Stop = std::shared_ptr<std::atomic<bool>>;
 
   SceneResult solve(const Question& question, Sequence& sequence, const Stop& stop);
+  record::Record remarks_on(const SceneFile& scene);
   record::Record file_of(const Question& question, const SceneResult& result);
   std::vector<NamedBody> named_bodies(const Question& question);
   Stop newest(const std::string& window);
   template <class Answer> Reply replied(const std::string& question, const Answer& answer);
 
   AskedScenes scenes_;
+  ProfileRemarks remarks_; ///< used by whoever holds solving_
   Computer* computer_;
   Sequence sequence_;
   std::mutex solving_;                              ///< held by whoever uses the processor

@@ -104,6 +104,11 @@ std::optional<fs::path> AskedScenes::of_ours(const std::string& name) {
 }
 
 void AskedScenes::require_readable(const NamedFile& file) const {
+  const bool bare = file.name.find_first_of("./") == std::string::npos;
+  if (!readable_.contains(plain(file.file)) && names_profile(file.key) && bare)
+    throw InputError(fmt::format("Unknown profile '{}'", file.name),
+                     "it is no standard's name, and no profile of this name was dropped on this page",
+                     advice_on_name(file.name));
   if (!readable_.contains(plain(file.file)))
     throw InputError(
         fmt::format("The file '{}' is not read", file.name),

@@ -1,22 +1,36 @@
-// What can be moved: sliders and fields, each for a key of scenes. `scale`: what 1 in the field is in the key's unit.
+// What can be moved: sliders and fields, each for a key of scenes. `scale`: what 1 in the field is in the key's unit,
+// which is `of`.
 const CONTROLS = [
   {key: "position.lateral", title: "lateral, to the right", unit: "mm", from: -8, to: 8, step: 0.02, kind: "wheel_rail"},
-  {key: "position.yaw", title: "yaw, front to the right", unit: "mrad", scale: 1e-3, from: -20, to: 20, step: 0.1, kind: "wheel_rail"},
-  {key: "position.roll", title: "roll, right side down", unit: "mrad", scale: 1e-3, from: -10, to: 10, step: 0.05, kind: "wheel_rail"},
-  {key: "track.curve_radius", title: "curve, centre to the right", unit: "m", scale: 1e3, inverse: {from: -10, to: 10, step: 0.1, unit: "1/km"},
+  {key: "position.yaw", title: "yaw, front to the right", unit: "mrad", of: "rad", scale: 1e-3, from: -20, to: 20, step: 0.1, kind: "wheel_rail"},
+  {key: "position.roll", title: "roll, right side down", unit: "mrad", of: "rad", scale: 1e-3, from: -10, to: 10, step: 0.05, kind: "wheel_rail"},
+  {key: "track.curve_radius", title: "curve, centre to the right", unit: "m", of: "mm", scale: 1e3, inverse: {from: -10, to: 10, step: 0.1, unit: "1/km"},
    kind: "wheel_rail"},
-  {key: "motion.speed", title: "speed", unit: "km/h", scale: 1e6 / 3600, from: 0, to: 250, step: 1, kind: "wheel_rail"},
-  {key: "load.force", title: "vertical force", unit: "kN", scale: 1e3, from: 5, to: 200, step: 0.5},
+  {key: "motion.speed", title: "speed", unit: "km/h", of: "mm/s", scale: 1e6 / 3600, from: 0, to: 250, step: 1, kind: "wheel_rail"},
+  {key: "load.force", title: "vertical force", unit: "kN", of: "N", scale: 1e3, from: 5, to: 200, step: 0.5},
   {key: "motion.friction", title: "coefficient of friction", unit: "", from: 0.01, to: 0.6, step: 0.005},
   {key: "motion.xi", title: "longitudinal creepage", unit: "‰", scale: 1e-3, from: -10, to: 10, step: 0.02},
   {key: "motion.eta", title: "lateral creepage", unit: "‰", scale: 1e-3, from: -10, to: 10, step: 0.02},
-  {key: "motion.phi", title: "spin", unit: "1/m", scale: 1e-3, from: -2, to: 2, step: 0.01},
-  {key: "layer.compliance", title: "compliance of a layer", unit: "mm³/kN", scale: 1e-3, from: 0, to: 0.4, step: 0.002}];
+  {key: "motion.phi", title: "spin", unit: "1/m", of: "1/mm", scale: 1e-3, from: -2, to: 2, step: 0.01},
+  {key: "layer.compliance", title: "compliance of a layer", unit: "mm³/kN", of: "mm^3/N", scale: 1e-3, from: 0, to: 0.4, step: 0.002}];
 
 /// Numbers in a field's unit as the key's values, and back, without digits of rounding.
 const exact = value => Number(value.toPrecision(12));
 const toKey = (control, value) => exact(value * (control.scale ?? 1));
 const toField = (control, value) => exact(value / (control.scale ?? 1));
+
+/// A message about a key with its numbers in the unit of the key's field.
+const inFieldUnits = message => {
+  const numeral = "-?[0-9]+(?:\\.[0-9]*)?(?:e[-+]?[0-9]+)?";
+  for (const control of CONTROLS.filter(one => one.scale && message.includes(one.key))) {
+    const shown = text => `${Number(toField(control, Number(text)).toPrecision(6))} ${control.unit}`, quoted = text => text.replace(/[.^/]/g, "\\$&");
+    const unit = control.of ? `(?: ${quoted(control.of)}(?![\\w/^]))` : "(?!)";
+    message = message.replace(new RegExp(`(${quoted(control.key)} = )(${numeral})${unit}?`, "g"), (_, before, value) => before + shown(value))
+      .replace(new RegExp(`([<>]=? )(${numeral})${unit}?(?! ?${quoted(control.unit)})`, "g"), (_, before, value) => before + shown(value))
+      .replace(new RegExp(`(^|[ (])(${numeral})${unit}`, "g"), (_, before, value) => before + shown(value));
+  }
+  return message;
+};
 
 /// A curve's slider moves its curvature: a straight track is its middle.
 const toSlider = (control, value) => control.inverse ? (value ? exact(1e3 / value) : 0) : value;
@@ -49,6 +63,12 @@ const stretch = (slider, value) => {
   slider.min = Math.min(Number(slider.min), value);
   slider.max = Math.max(Number(slider.max), value);
   slider.value = value;
+};
+
+/// The slider's own ends, where a scene begins anew.
+const unstretch = ({slider, inverse, ...own}) => {
+  const scale = inverse ?? own;
+  Object.assign(slider, {min: scale.from, max: scale.to, step: scale.step});
 };
 
 /// Shows what the scene has; a key that the scene cannot have is hidden.

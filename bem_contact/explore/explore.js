@@ -82,9 +82,17 @@ const drawContact = async all => {
     document.body.dataset.drawn = drawing;
 };
 
+/// On paper stands the answer that is shown, in every figure.
+const drawAtOnce = () => {
+  const [contact] = contactsOf(data);
+  for (const [id, figure] of contact ? figuresOf(contact) : [])
+    if (figure)
+      drawn(element(id), {...figure, height: HEIGHTS[id]});
+};
+
 const problemShown = message => {
   element("problem").hidden = !message;
-  element("problem").textContent = message;
+  element("problem").textContent = inFieldUnits(message);
   element("page").classList.toggle("stale", Boolean(message));
   if (!message || !solved)
     return;
@@ -136,12 +144,27 @@ const showNumbers = took => {
   const parent = element("answer"), open = element("more")?.open;
   parent.replaceChildren();
   addSix(contact, parent);
-  addWarnings([["", contact]], parent);
+  addRemarks(data.remarks, parent);
+  const said = new Set(Object.values(data.remarks ?? {}).map(one => one.attributes?.text));
+  if (contact.group.warnings)
+    contact.group.warnings.text = warningsOf(contact).filter(text => !said.has(text)).join("\n");
+  addWarnings([["", contact]], parent, inFieldUnits);
   const more = add("details", "", parent, {id: "more", open: Boolean(open)});
   add("summary", "All numbers, with their errors", more);
   const fill = () => more.open && more.childElementCount === 1 && addAllNumbers(contact, more);
   more.addEventListener("toggle", fill);
   fill();
+};
+
+/// What reading the profiles has said, each with a button that does what it advises.
+const addRemarks = (remarks, parent) => {
+  for (const {attributes: {text}, keys, values} of Object.values(remarks ?? {}).filter(one => one.attributes)) {
+    const line = add("p", `${text} `, parent, {className: "warning remark"});
+    const changes = Object.fromEntries(keys.text ? linesOf(keys).map((key, k) => [key, JSON.parse(linesOf(values)[k])]) : []);
+    if (Object.keys(changes).length)
+      add("button", `Take it: ${Object.entries(changes).map(([key, value]) => `${key} = ${value}`).join(", ")}`, line, {
+        type: "button", onclick: () => { Object.assign(scene.changes, changes); lastMove = performance.now(); ask(); }});
+  }
 };
 
 const addAllNumbers = (contact, more) => {
@@ -152,10 +175,14 @@ const addAllNumbers = (contact, more) => {
 
 // --- two cases side by side ---
 const SAME = 1e-12;
+const changedText = (key, {changes}) => {
+  const control = CONTROLS.find(one => one.key === key), value = changes[key];
+  return value === undefined ? "as given" : control ? `${toField(control, value)} ${control.unit}`.trim() : value;
+};
 const describeChanges = (from, to) => {
   const keys = [...new Set([...Object.keys(from.changes), ...Object.keys(to.changes)])];
   return keys.filter(key => from.changes[key] !== to.changes[key])
-    .map(key => `${words(key)} (${key}) ${from.changes[key] ?? "as given"} → ${to.changes[key] ?? "as given"}`).join("; ") || "nothing";
+    .map(key => `${words(key)} (${key}) ${changedText(key, from)} → ${changedText(key, to)}`).join("; ") || "nothing";
 };
 
 const showHeld = () => {
@@ -268,8 +295,10 @@ const profileDropped = (key, name, text) => {
 const newScene = (text, changes = {}) => {
   Object.assign(scene, {text, changes: {...changes}});
   element("text").value = text;
-  for (const control of controls)
+  for (const control of controls) {
     control.fitted = false;
+    unstretch(control);
+  }
   ask();
 };
 
@@ -312,7 +341,7 @@ const takeDrops = () => {
 };
 
 const CAPTIONS = {
-  solid: "Wheel and rail with the pressure on the patch; the wheel is lifted by 1 mm. Turn it with the mouse.",
+  solid: "Wheel and rail with the pressure on the patch; the wheel is cut behind it. Turn it with the mouse.",
   patch: "The patch from above. Hatched: slip. Within the thick line: adhesion.",
   section: "The section at the contact, looking along the track.",
   "cut-x": "Shear traction within the bound of friction, along x through the largest pressure.", "cut-s": "The same along s."};
@@ -350,6 +379,7 @@ const begin = async () => {
   await loadLibrary();
   let wide = innerWidth;
   addEventListener("resize", () => { if (innerWidth !== wide && data.p_n) { wide = innerWidth; drawContact(true); showHeld(); } });
+  addEventListener("beforeprint", drawAtOnce);
   await ask();
 };
 begin().catch(failed);

@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/geometry/rail_rows.hpp"
 #include "bem_contact/geometry/undeformed_distance.hpp"
+#include "bem_contact/profile/running_head.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,13 +30,14 @@ constexpr double lateral_tolerance = 1e-4;
 /// The arc length at which the rail's gauge side is first `depth` below its top; its end where it is not.
 double gauge_point(const WheelOnRail& pair, double depth) {
   const auto nodes = pair.rail.nodes();
-  std::vector<double> z;
+  std::vector<Point2> at;
   for (const TabulatedProfile::Node& node : nodes)
-    z.push_back(pair.rail_pose.to_track(node.position).z);
-  const std::size_t top = std::ranges::min_element(z) - z.begin();
+    at.push_back(pair.rail_pose.to_track(node.position));
+  const std::size_t top = top_of_running_head(at, depth);
   for (std::size_t k = top; k-- > 0;)
-    if (const double wanted = z[top] + depth; z[k] >= wanted)
-      return nodes[k + 1].s + (nodes[k].s - nodes[k + 1].s) * (wanted - z[k + 1]) / (z[k] - z[k + 1]);
+    if (const double wanted = at[top].z + depth; at[k].z >= wanted)
+      return nodes[k + 1].s +
+             (nodes[k].s - nodes[k + 1].s) * (wanted - at[k + 1].z) / (at[k].z - at[k + 1].z);
   return nodes.front().s;
 }
 

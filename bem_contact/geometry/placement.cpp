@@ -1,6 +1,7 @@
 #include "bem_contact/geometry/placement.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/running_head.hpp"
 
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>
@@ -37,27 +38,28 @@ void require_axis_below(const WheelOnRail& pair) {
                        "Give the radius of the roller's surface, rail.roller_radius, in mm.");
 }
 
-/// The rail's head as it is inclined, about the origin of its section.
+/// The rail's running head as it is inclined, about the origin of its section.
 class Head {
 public:
-  Head(const TabulatedProfile& rail, double angle) : rail_(rail), turn_(angle) {
+  Head(const TabulatedProfile& rail, double angle, double gauge_height)
+      : rail_(rail), turn_(angle), gauge_height_(gauge_height) {
     nodes_.reserve(rail.nodes().size());
     for (const TabulatedProfile::Node& node : rail.nodes())
       nodes_.push_back(turn_(node.position));
-    top_ = static_cast<int>(std::ranges::min_element(nodes_, {}, &Point2::z) - nodes_.begin());
+    top_ = static_cast<int>(top_of_running_head(nodes_, gauge_height));
   }
 
   double top() const { return extreme(top_, &Point2::z); }
-  /// Least y between the top and `height` below it. Throws InputError where the rail ends before.
-  double gauge_face(double height) const {
-    const double gauge_z = top() + height;
+  /// Least y between the top and the gauge height below it. Throws InputError where the rail ends before.
+  double gauge_face() const {
+    const double gauge_z = top() + gauge_height_;
     int below = top_;
     while (below >= 0 && nodes_[below].z < gauge_z)
       --below;
     if (below < 0)
       throw InputError(
           fmt::format("The rail '{}' has no gauge face", rail_.name()),
-          fmt::format("its profile ends less than {} mm below its top on the gauge side (-y)", height),
+          fmt::format("its profile ends less than {} mm below its top on the gauge side (-y)", gauge_height_),
           "Give a profile that reaches further down, a smaller position.gauge_height, or rail.place = "
           "\"absolute\" with rail.y and rail.z.");
     const double t = where_it_vanishes([&](double u) { return at(below, u).z - gauge_z; });
@@ -85,6 +87,7 @@ private:
 
   const TabulatedProfile& rail_;
   Turn turn_;
+  double gauge_height_; ///< mm
   std::vector<Point2> nodes_;
   int top_ = 0;
 };
@@ -93,9 +96,8 @@ private:
 Point2 rail_origin(const WheelsetPosition& position, const TabulatedProfile& rail, double angle) {
   if (position.rail_origin)
     return *position.rail_origin;
-  const Head head(rail, angle);
-  const double gauge_y = head.gauge_face(position.gauge_height);
-  return {position.gauge / 2 - gauge_y, -head.top()};
+  const Head head(rail, angle, position.gauge_height);
+  return {position.gauge / 2 - head.gauge_face(), -head.top()};
 }
 
 } // namespace

@@ -25,7 +25,7 @@ struct WheelsetPosition {
   WheelSide side = WheelSide::right; ///< which of its two wheels
   double lateral = 0;                ///< lateral displacement of the wheelset, mm, positive to the right
   double gauge = 1435;               ///< mm
-  double gauge_height = 14;          ///< where the gauge is measured: below the top of the rail, mm
+  double gauge_height = 14;          ///< where the gauge is measured: below the top of the running head, mm
   double back_to_back = 1360;        ///< distance between the flange backs, mm
   double tape_circle = flange_back_to_tape_circle; ///< distance of the tape circle from the flange back, mm
   double rail_inclination = 0;                     ///< rail inclination towards the track centre, rad
@@ -59,8 +59,8 @@ struct Pose {
 };
 
 /// A wheel on a rail. Track frame: x from the wheelset's centre, y from the track's centre line towards the
-/// side of this wheel, z down from the highest point of the rail (as it stands without deviations). Both
-/// curves stay in their own section frames.
+/// side of this wheel, z down from the highest point of the rail's running head (running_head.hpp; as it
+/// stands without deviations). Both curves stay in their own section frames.
 ///
 /// A wheel on the left is its mirror image: y to the left, and yaw, roll and lateral displacement change
 /// sign. Longitudinal quantities, pressures and Fz are what they are; those along y or s, and moments about

@@ -125,11 +125,18 @@ bool make_groups(hid_t root, const std::string& path) {
   return true;
 }
 
+/// Octave's `load` asks for ASCII, and HDF5 does not convert between both.
+H5T_cset_t characters_of(const std::string& text) {
+  const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+  return std::ranges::all_of(text, is_ascii) ? H5T_CSET_ASCII : H5T_CSET_UTF8;
+}
+
 void write_texts(hid_t root, const H5Table& table, const std::filesystem::path& file) {
   for (const auto& [name, data] : table.texts) {
     const H5Handle type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
-    check_writing(H5Tset_size(type, data.text.size() + 1) >= 0 && H5Tset_cset(type, H5T_CSET_UTF8) >= 0, file,
-                  "text " + name);
+    check_writing(H5Tset_size(type, data.text.size() + 1) >= 0 &&
+                      H5Tset_cset(type, characters_of(data.text)) >= 0,
+                  file, "text " + name);
     const H5Handle list = without_times(H5P_DATASET_CREATE);
     check_writing(make_groups(root, name), file, "the group of " + name);
     const H5Handle set(H5Dcreate2(root, name.c_str(), type, space, H5P_DEFAULT, list, H5P_DEFAULT), H5Dclose);

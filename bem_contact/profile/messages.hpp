@@ -1,14 +1,35 @@
 #pragma once
 
-#include <spdlog/logger.h>
-
 #include <memory>
+#include <spdlog/logger.h>
+#include <string>
+#include <vector>
 
 namespace bem_contact {
 
-/// Where warnings of profiles go: spdlog's default logger if the host has set one, else standard error.
-/// spdlog's own default is standard output, which belongs to the host: a Python or C program may write its
-/// results there.
+/// Where warnings of profiles go: to who collects them on this thread, else to spdlog's default logger if the
+/// host has set one, else to standard error. spdlog's own default is standard output, which belongs to the
+/// host: a Python or C program may write its results there.
 std::shared_ptr<spdlog::logger> messages();
+
+/// Sends them to another logger where the host has set none: a module whose own host has one of another kind.
+/// To be called before anything else is.
+void send_messages_to(std::shared_ptr<spdlog::logger> logger);
+
+/// Keeps what this thread says while it lives, in place of printing it: a window shows it itself.
+class CollectedMessages {
+public:
+  CollectedMessages();
+  ~CollectedMessages();
+  CollectedMessages(const CollectedMessages&) = delete;
+  CollectedMessages& operator=(const CollectedMessages&) = delete;
+
+  /// In the order in which they came, each once; what only informs is left out.
+  const std::vector<std::string>& warnings() const { return *warnings_; }
+
+private:
+  std::shared_ptr<std::vector<std::string>> warnings_;
+  std::shared_ptr<spdlog::logger> before_; ///< that of an outer one
+};
 
 } // namespace bem_contact

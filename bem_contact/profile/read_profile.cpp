@@ -72,19 +72,29 @@ std::string file_name(const std::string& source) {
   return std::filesystem::path(source).filename().string();
 }
 
-void warn_of_noise(const std::string& source, const MeasuredProfile& p, ProfileKind kind) {
+std::string waves_text(const ProfileNoise& noise) {
+  return noise.waves > 0 ? fmt::format(", and have waves of 2 to 10 mm, {:.2g} um high", 1e3 * noise.waves)
+                         : "";
+}
+
+/// Advises the standard that it is like as nominal, else smoothing alone.
+void warn_of_noise(const std::string& source, const MeasuredProfile& p, ProfileKind kind,
+                   ReadingAdvice& advice) {
   const std::optional<LikeStandard> like = like_standard(p.curve, kind, p.scatter_left());
   const std::string better =
       like ? fmt::format("; as it looks like {} worn by {:.2g} .. {:.2g} mm, nominal = \"{}\" keeps more of "
                          "its shape",
                          like->name, like->least_depth, like->largest_depth, like->name)
            : "";
-  messages()->warn(
-      "{}: its points scatter by {:.2g} um, {:.2g} mm apart: a curve through all of them bends to radii of "
+  advice.nominal = like ? like->name : "";
+  advice.smoothing = p.noise.smoothing;
+  advice.noise_text = fmt::format(
+      "{}: its points scatter by {:.2g} um, {:.2g} mm apart{}: a curve through all of them bends to radii of "
       "{:.2g} mm, which moves pressures between steel bodies by some {:.0f} MPa and may split patches "
       "(smoothing = {:.2g} removes it{})",
-      source, 1e3 * p.noise.scatter, p.noise.spacing, 1 / p.noise.bending, p.noise.pressure,
-      p.noise.smoothing, better);
+      source, 1e3 * p.noise.scatter, p.noise.spacing, waves_text(p.noise), 1 / p.noise.bending,
+      p.noise.pressure, p.noise.smoothing, better);
+  messages()->warn("{}", advice.noise_text);
 }
 
 void warn_of_outliers(const std::string& source, const std::vector<Outlier>& outliers) {
@@ -97,12 +107,17 @@ void warn_of_outliers(const std::string& source, const std::vector<Outlier>& out
     messages()->warn("{}: and {} more such points", source, outliers.size() - most_named_outliers);
 }
 
-void warn_of_worn_side(const std::string& source, std::span<const Point2> points, bool mirror) {
-  if (const double worn = more_worn_at_larger_y(points); worn > 0)
-    messages()->warn(
-        "{}: its field side (y > 0) is worn by some {:.2g} mm more than its gauge side, and rails wear on "
-        "the gauge side: does y of the file point there? (mirror = {} turns it)",
-        source, worn, !mirror);
+void warn_of_worn_side(const std::string& source, std::span<const Point2> points, bool mirror,
+                       ReadingAdvice& advice) {
+  const double worn = more_worn_at_larger_y(points);
+  if (worn <= 0)
+    return;
+  advice.mirror = !mirror;
+  advice.mirror_text = fmt::format(
+      "{}: its field side (y > 0) is worn by some {:.2g} mm more than its gauge side, and rails wear on "
+      "the gauge side: does y of the file point there? (mirror = {} turns it)",
+      source, worn, !mirror);
+  messages()->warn("{}", advice.mirror_text);
 }
 
 /// The nominal profile that `reading` names.
@@ -122,13 +137,16 @@ void report_smoothing(const std::string& source, const MeasuredProfile& p) {
 
 void warn_of_smoothing(const std::string& source, const MeasuredProfile& p) {
   if (p.smoothing < least_smoothing_share * p.noise.smoothing)
-    messages()->warn("{}: smoothing = {:g} leaves noise: for a scatter of {:.2g} um use {:.2g}", source,
-                     p.smoothing, 1e3 * p.noise.scatter, p.noise.smoothing);
-  if (p.removed_rms > p.largest_noise_removed())
+    messages()->warn("{}: smoothing = {:g} leaves noise: for {} use {:.2g}", source, p.smoothing,
+                     p.noise.waves > 0 ? fmt::format("waves of {:.2g} um", 1e3 * p.noise.waves)
+                                       : fmt::format("a scatter of {:.2g} um", 1e3 * p.noise.scatter),
+                     p.noise.smoothing);
+  if (p.takes_shape_away())
     messages()->warn(
         "{}: smoothing = {:g} takes shape away: it moved points by {:.2g} um (root mean square), and their "
-        "scatter is {:.2g} um: use a shorter one",
-        source, p.smoothing, 1e3 * p.removed_rms, 1e3 * p.noise.scatter);
+        "noise is {:.2g} um: use {}",
+        source, p.smoothing, 1e3 * p.removed_rms, 1e3 * std::hypot(p.noise.scatter, p.noise.waves),
+        p.noise.smoothing > 0 ? fmt::format("{:.2g}", p.noise.smoothing) : "none");
 }
 
 /// Smoothed as `reading` asks; something is asked.
@@ -143,13 +161,13 @@ MeasuredProfile smoothed_profile(const std::string& source, std::span<const Poin
             smooth.rms,
             smooth.largest};
   }
-  WornNominal worn = worn_from_nominal(nominal_profile(reading.nominal, kind, source), points, noise.scatter,
+  WornNominal worn = worn_from_nominal(nominal_profile(reading.nominal, kind, source), points, noise.as_white,
                                        reading.smoothing, source);
   messages()->info("{}: {}", source, worn_text(worn));
   if (!worn.doubt.empty())
     messages()->warn(
-        "{}: the profile is hardly worn from {} ({}) Name the profile from which it was made, or "
-        "leave out nominal and give smoothing.",
+        "{}: {} does not fit ({}) Name the profile from which it was made, or leave out nominal and give "
+        "smoothing.",
         source, worn.nominal, worn.doubt);
   MeasuredProfile out{worn.curve, worn.points, noise, worn.longest_wave, worn.removed_rms, worn.removed_most};
   out.worn = std::move(worn);
@@ -181,8 +199,9 @@ MeasuredProfile parse_measured_profile(std::string_view text, std::string_view s
   ProfileReading how = reading;
   how.mirror = reading.mirror && !is_vampire(text); // there it has chosen the left profile, mirrored
   const std::vector<Point2> points = repaired(std::move(measured), source, kind, how);
+  ReadingAdvice advice;
   if (kind == ProfileKind::rail && !reading.keep_origin)
-    warn_of_worn_side(source, points, reading.mirror);
+    warn_of_worn_side(source, points, reading.mirror, advice);
   const ProfileNoise noise = measure_noise(points);
   if (noise.coarse)
     messages()->warn(
@@ -195,11 +214,13 @@ MeasuredProfile parse_measured_profile(std::string_view text, std::string_view s
     MeasuredProfile out{ProfileCurve::through_points(file_name(source), points), points.size(), noise};
     out.outliers = std::move(off);
     if (noise.smoothing > 0)
-      warn_of_noise(source, out, kind);
+      warn_of_noise(source, out, kind, advice);
+    out.advice = std::move(advice);
     return out;
   }
   MeasuredProfile out = smoothed_profile(source, points, noise, kind, reading);
   out.outliers = std::move(off);
+  out.advice = std::move(advice);
   report_smoothing(source, out);
   if (reading.smoothing > 0)
     warn_of_smoothing(source, out);
@@ -208,7 +229,12 @@ MeasuredProfile parse_measured_profile(std::string_view text, std::string_view s
 
 double MeasuredProfile::largest_noise_removed() const {
   const double along_and_across = worn ? 1 : std::sqrt(2.0); // a depth alone; or along y and along z
-  return std::max(removed_over_noise * along_and_across * noise.scatter, least_removed);
+  return std::max(removed_over_noise * along_and_across * std::hypot(noise.scatter, noise.waves),
+                  least_removed);
+}
+
+bool MeasuredProfile::takes_shape_away() const {
+  return smoothing * least_smoothing_share > noise.smoothing && removed_rms > largest_noise_removed();
 }
 
 std::optional<ProfileKind> kind_of_ending(const std::filesystem::path& file) {

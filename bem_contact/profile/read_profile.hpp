@@ -7,6 +7,7 @@
 #include "bem_contact/profile/profile_reading.hpp"
 #include "bem_contact/profile/worn/worn_nominal.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,6 +15,15 @@
 #include <vector>
 
 namespace bem_contact {
+
+/// What the warnings of a profile file advise to give: keys of [rail] and [wheel].
+struct ReadingAdvice {
+  std::string nominal =
+      {};               ///< the standard from which it may be worn: it keeps more than smoothing; "": none
+  double smoothing = 0; ///< mm; 0: no noise that matters
+  std::optional<bool> mirror = {};
+  std::string noise_text = {}, mirror_text = {}; ///< the warnings that advise it
+};
 
 /// A profile file, and what was found out about it on the way.
 struct MeasuredProfile {
@@ -25,11 +35,16 @@ struct MeasuredProfile {
   double removed_most = 0; ///< mm
   std::optional<WornNominal> worn = {}; ///< if reading.nominal is given
   std::vector<Outlier> outliers = {};   ///< of the points as measured
-  /// What smoothing may remove if it removes noise alone, mm (root mean square). More is shape.
+  ReadingAdvice advice = {};
+  /// What smoothing may remove if it removes noise alone, mm (root mean square).
   double largest_noise_removed() const;
+  /// Whether more is removed, by a wavelength longer than what is advised: then it is shape.
+  bool takes_shape_away() const;
   /// Returns the scatter of the curve about the true profile, mm: that of the points, where it goes through
   /// all of them and their noise is known; else 0.
-  double scatter_left() const { return smoothing > 0 || worn || noise.coarse ? 0 : noise.scatter; }
+  double scatter_left() const {
+    return smoothing > 0 || worn || noise.coarse ? 0 : std::hypot(noise.scatter, noise.waves);
+  }
 };
 
 /// Reads a profile file: Simpack .prr/.prw, MiniProf .ban/.whl/.mpt, Vampire .rai/.whe (told by their

@@ -3,6 +3,7 @@
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/python/functions.hpp"
+#include "bem_contact/python/python_messages.hpp"
 #include "bem_contact/python/record_object.hpp"
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/sequence_object.hpp"
@@ -280,6 +281,9 @@ void add_trust(ResultClass& c) {
   c.def("plot", plot_of, "picture"_a = py::none(),
         "Draws the picture of `bem_contact plot` and returns the figure (matplotlib). `picture`: where to "
         "write it (.png, .pdf, .svg); None: nowhere");
+  c.def("_repr_html_", [](const py::object& r) {
+    return py::module_::import("bem_contact.notebook").attr("result_html")(r);
+  });
   c.def("__repr__", [](const py::object& r) {
     return py::str("<bem_contact.Result: {}, Fz {:.6g} N, {} patches, {}>")
         .format(r.attr("model"), r.attr("Fz"), py::len(r.attr("patches")),
@@ -303,6 +307,7 @@ PYBIND11_MODULE(_core, m) {
   m.attr("__commit__") = std::string(commit());
   m.def("_stub_of_numbers", stub_of_numbers);
   add_exceptions(m);
+  send_messages_to_logging();
   ResultClass result(m, "One scene solved with one model. Arrays are copies. Can be copied and pickled.");
   add_quantities(result);
   add_parts(result);

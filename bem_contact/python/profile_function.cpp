@@ -1,15 +1,13 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standards/standard_tables.hpp"
-#include "bem_contact/profile/worn/like_standard.hpp"
 #include "bem_contact/python/functions.hpp"
+#include "bem_contact/python/record_object.hpp"
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/scene/scene_file.hpp"
+#include "bem_contact/sequence/profile_record.hpp"
 #include "bem_contact/uses/conicity/wheelset_conicity.hpp"
 
-#include <pybind11/numpy.h>
-
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,42 +31,6 @@ ProfileReading reading_of(const std::string& name, ProfileKind kind, const py::o
   return wheel ? scene.wheel.reading : scene.rail.reading;
 }
 
-py::dict curve_of(const ProfileCurve& curve, double step) {
-  std::vector<double> s, y, z, inclination, curvature;
-  for (const CurvePoint& p : points_along(curve, step)) {
-    s.push_back(p.s);
-    y.push_back(p.position.y);
-    z.push_back(p.position.z);
-    inclination.push_back(p.delta);
-    curvature.push_back(p.curvature);
-  }
-  return py::dict("s"_a = array_of(s), "y"_a = array_of(y), "z"_a = array_of(z),
-                  "inclination"_a = array_of(inclination), "curvature"_a = array_of(curvature));
-}
-
-double inclination_of(const MeasuredProfile& profile, ProfileKind kind) {
-  return profile.points > 0 && kind == ProfileKind::rail
-             ? rail_inclination(profile.curve, profile.scatter_left())
-             : 0;
-}
-
-py::object like_of(const MeasuredProfile& profile, ProfileKind kind, double inclination) {
-  const std::optional<LikeStandard> like =
-      profile.points > 0 ? like_standard(profile.curve, kind, profile.scatter_left()) : std::nullopt;
-  if (!like)
-    return py::none();
-  return py::dict("name"_a = like->name, "other"_a = like->other, "least_depth"_a = like->least_depth,
-                  "largest_depth"_a = like->largest_depth, "angle"_a = like->angle,
-                  "inclination"_a = inclination);
-}
-
-py::object noise_of(const MeasuredProfile& p) {
-  if (p.points == 0 || p.noise.coarse)
-    return py::none();
-  return py::dict("scatter"_a = p.noise.scatter, "spacing"_a = p.noise.spacing,
-                  "pressure"_a = p.noise.pressure, "smoothing"_a = p.noise.smoothing);
-}
-
 py::dict profile(const py::object& file, const py::object& of_kind, const py::object& reading, double step) {
   const std::string kind = text_of(of_kind, "kind");
   if (!kind.empty() && kind != "rail" && kind != "wheel")
@@ -79,22 +41,9 @@ py::dict profile(const py::object& file, const py::object& of_kind, const py::ob
                      "Give a step above 0.");
   const std::string name = path_of(file);
   const ProfileKind its = kind_of_profile(name, kind);
-  const MeasuredProfile found = described_profile(name, its, reading_of(name, its, reading));
-  py::list outliers;
-  for (const Outlier& o : found.outliers)
-    outliers.append(py::dict("y"_a = o.point.y, "z"_a = o.point.z, "distance"_a = o.distance));
-  py::dict out = curve_of(found.curve, step);
-  out["kind"] = std::string(name_of(its));
-  out["name"] = found.curve.name();
-  out["points"] = found.points;
-  out["noise"] = noise_of(found);
-  out["outliers"] = outliers;
-  const double inclination = inclination_of(found, its);
-  out["like"] = like_of(found, its, inclination);
-  out["inclination_in_file"] = inclination;
-  out["removed_rms"] = found.removed_rms;
-  out["removed_most"] = found.removed_most;
-  return out;
+  const ProfileReading how = reading_of(name, its, reading);
+  const MeasuredProfile found = described_profile(name, its, how);
+  return as_dict(record_of(found, findings_of(found, its, how), its, step));
 }
 
 py::list standards() {
@@ -129,12 +78,18 @@ void add_profile(py::module_& module) {
       "0 "
       "convex) at equal steps, at most `step` mm long, in the frame of the profile (y to the field side; a "
       "wheel is walked from the field side, with an inclination near pi on the tread); `kind`, `name`; of a "
-      "measured file `points` (how many), `noise` (None where it is not known: `scatter` and `spacing`, mm; "
-      "`pressure`, MPa, by which a curve through all points is off; `smoothing`, mm, advised, 0: none), "
+      "measured file `points` (how many), `noise` (None where it is not known: `scatter`, `waves` of 2 to 10 "
+      "mm "
+      "and `spacing`, mm; `pressure`, MPa, by which a curve through all points is off; `smoothing`, mm, that "
+      "removes it, 0: none), "
       "`outliers` (dicts of y, z, distance, mm), `like` (the nearest standard or None: `name`, `other`, "
       "`least_depth` and `largest_depth` worn off, mm, `angle`, rad, `inclination`), "
-      "`inclination_in_file` (of a rail that is inclined already, rad, else 0), `removed_rms` and "
-      "`removed_most` (by smoothing, mm). Raises InputError for what is no "
+      "`inclination_in_file` (of a rail that is inclined already, rad, else 0), `leans_outwards` (rad), "
+      "`advice` (`nominal`, else `smoothing`, mm, and `mirror`: what to give in `reading`), `removed_rms` "
+      "and "
+      "`removed_most` (by smoothing, mm). EN 15313's numbers, mm: of a wheel `flange` (`Sh`, `Sd`, `qR`), of "
+      "a rail that is worn from a standard `wear` (`W1`, `W2`, `W3`); else None. Raises InputError for what "
+      "is no "
       "profile.");
 }
 

@@ -21,6 +21,7 @@ inline constexpr const char* table_format = "bem_contact table 4";
 inline constexpr const char* wear_format = "bem_contact wear 2";
 inline constexpr const char* contact_wear_format = "bem_contact wear of one contact 1";
 inline constexpr const char* study_format = "bem_contact study 1";
+inline constexpr const char* profile_format = "bem_contact profile 1"; ///< JSON alone
 inline constexpr const char* numbers_format = "conformal-contact influence numbers 2";
 
 /// A kind of file that stands for itself.

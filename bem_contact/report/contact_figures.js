@@ -1,5 +1,5 @@
 // Figures of one contact. One colour has one meaning on the whole page; line styles and marks say the same without it.
-const INK = "#1c2733", RAIL = "#5b6f82", RAIL_FACE = "#a9b6c3", WHEEL = "#b4533c", ADHESION = "#d95f02", BOUND = "#8a949e";
+const INK = "#1c2733", RAIL = "#5b6f82", RAIL_FACE = "#a9b6c3", RAIL_LIGHT = "#edf1f5", WHEEL = "#b4533c", ADHESION = "#d95f02", BOUND = "#8a949e";
 const ALONG_X = "#6a3d9a", ALONG_S = "#1b7f79";
 const PRESSURE = [[0, "#eef4fb"], [1, "#3b7cc4"]];
 const STRESS = [[0, "#ffffff"], [1, "#7a7a7a"]];
@@ -231,10 +231,10 @@ const solidFigure = (contact, radius) => {
   const width = Math.max(...contact.rail.map(p => p[0])) - Math.min(...contact.rail.map(p => p[0]));
   const half = Math.max(0.4 * width, ...window.columns.map(k => 1.5 * Math.abs(contact.x[k])));
   const raised = 0.06; // mm above the rail, so that the patch is seen
-  const lifted = 1; // mm: the wheel, so that its surface can be told from the rail's
-  const span = Array.from({length: 25}, (_, k) => half * (k - 12) / 12);
+  const cut = Math.min(0.6 * half, contact.x[window.columns[1]] + contact.dx); // mm: the wheel is drawn behind the patch alone, which it would hide
+  const span = Array.from({length: 13}, (_, k) => cut + (half - cut) * k / 12);
   const rail = thinned(contact.rail), wheel = thinned(contact.wheel);
-  const traces = [plainSurface(rail.map(([y, z]) => [-half, half].map(x => [x, y, z])), "rail", RAIL_FACE, 1)];
+  const traces = [plainSurface(rail.map(([y, z]) => [-half, half].map(x => [x, y, z])), "rail", RAIL_LIGHT, 1)];
   const lineOf = (points, name, colour, width, dash) => ({
     type: "scatter3d", mode: "lines", x: points.map(p => p[0]), y: points.map(p => p[1]), z: points.map(p => p[2]),
     name, showlegend: false, hoverinfo: "skip", line: {color: colour, width, dash}});
@@ -242,9 +242,9 @@ const solidFigure = (contact, radius) => {
     traces.push(lineOf(rail.map(([y, z]) => [x, y, z]), "rail", INK, 4));
   if (radius) {
     const axle = contact.z[row] - radius;
-    const turned = (y, z, x) => { const r = z - axle; return [x, y, axle + Math.sqrt(r * r - x * x) - lifted]; };
+    const turned = (y, z, x) => { const r = z - axle; return [x, y, axle + Math.sqrt(r * r - x * x)]; };
     traces.push(plainSurface(wheel.map(([y, z]) => span.map(x => turned(y, z, x))), "wheel", WHEEL, 0.18));
-    for (const x of [-half, 0, half])
+    for (const x of [cut, half])
       traces.push(lineOf(wheel.map(([y, z]) => turned(y, z, x)), "wheel", WHEEL, 4));
   }
   const {dx, ds} = contact, columns = [...contact.x.map(x => x - dx / 2), contact.x.at(-1) + dx / 2];
@@ -268,7 +268,8 @@ const solidFigure = (contact, radius) => {
   const view = (label, x, y, z) => ({label, method: "relayout", args: ["scene.camera.eye", {x, y, z}]});
   const aslant = [-1.25, 1.75 * side, 1.2];
   return {traces, height: 520, layout: {
-    scene: {aspectmode: "data", camera: {eye: {x: aslant[0], y: aslant[1], z: aslant[2]}, center: {x: 0, y: 0, z: -0.15}},
+    scene: {aspectmode: "data", camera: {eye: {x: aslant[0], y: aslant[1], z: aslant[2]}, center: {x: 0, y: 0, z: -0.1},
+                                         projection: {type: "orthographic"}}, // near labels are no larger, and stay on the figure
             xaxis: {title: "x, mm", nticks: 4}, yaxis: {title: "y, mm", nticks: 6, autorange: contact.left ? true : "reversed"},
             zaxis: {title: "z down, mm", nticks: 3, autorange: "reversed"}},
     margin: {t: 40, l: 0, r: 0, b: 30}, legend: {orientation: "h", y: 0, yanchor: "top", x: 0},

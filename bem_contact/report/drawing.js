@@ -76,7 +76,12 @@ const fit = () => {
 };
 const followWidth = () => {
   addEventListener("resize", fit);
-  addEventListener("beforeprint", () => { onPaper = true; fit(); });
+  addEventListener("beforeprint", () => {
+    onPaper = true;
+    for (const one of figures.filter(([frame]) => !frame.firstChild.data)) // the event waits for nobody; the library draws at once
+      draw(one);
+    fit();
+  });
   addEventListener("afterprint", () => { onPaper = false; fit(); });
 };
 

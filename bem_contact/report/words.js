@@ -162,7 +162,7 @@ const addCertificate = (contact, title = "") => {
 };
 
 /// Each warning once, whatever figures are in it; `of`: [title, contact] of those that may have it.
-const addWarnings = (of, parent = page) => {
+const addWarnings = (of, parent = page, shown = text => text) => {
   const known = new Map();
   for (const [title, contact] of of)
     for (const warning of warningsOf(contact)) {
@@ -170,7 +170,7 @@ const addWarnings = (of, parent = page) => {
       known.set(kind, {warning, ...known.get(kind), titles: [...(known.get(kind)?.titles ?? []), title]});
     }
   for (const {warning, titles} of known.values())
-    add("p", `Warning: ${warning}` + (of.length < 2 ? "" : ` (${titles.length < of.length ? titles.join("; ") : "all of them"}; figures are those of the first)`),
+    add("p", `Warning: ${shown(warning)}` + (of.length < 2 ? "" : ` (${titles.length < of.length ? titles.join("; ") : "all of them"}; figures are those of the first)`),
         parent, {className: "warning"});
 };
 

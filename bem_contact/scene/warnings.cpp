@@ -1,7 +1,7 @@
 #include "bem_contact/scene/warnings.hpp"
 
+#include "bem_contact/profile/profile_findings.hpp"
 #include "bem_contact/profile/wheel_datum.hpp"
-#include "bem_contact/profile/worn/like_standard.hpp"
 #include "bem_contact/scene/friction_laws.hpp"
 #include "bem_contact/scene/settings.hpp"
 
@@ -156,6 +156,8 @@ void warn_of_kilonewtons(const char* key, double force, int wheels, std::vector<
 std::string inclined_twice(const RailInclination& rail, double given) {
   if (given == 0 || rail.get() == 0) // then nobody need look for the other one
     return "";
+  if (rail.get() > 0)
+    return leans_outwards(rail.get());
   return fmt::format("the rail's file is already inclined ({}), and position.rail_inclination = {:g} "
                      "inclines it again: give "
                      "position.rail_inclination = 0 with it",

@@ -14,7 +14,8 @@ std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSet
 /// Warns of a vertical force on so many wheels that is probably in kN.
 void warn_of_kilonewtons(const char* key, double force, int wheels, std::vector<std::string>& warnings);
 
-/// What is wrong with inclining a rail by `given` (rad) that its file has inclined already; "": nothing.
+/// What is wrong with inclining a rail by `given` (rad) that its file has inclined already, or leaning the
+/// other way; "": nothing.
 std::string inclined_twice(const RailInclination& rail, double given);
 
 /// Says whether gauge and flange backs place the bodies, not coordinates of their own.

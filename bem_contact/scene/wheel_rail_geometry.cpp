@@ -45,9 +45,8 @@ void require_roller_for_its_body(const SceneFile& scene) {
 } // namespace
 
 RailInclination inclination_of_rail(const std::string& name, const ProfileCurve& rail) {
-  return std::async(std::launch::deferred, [standard = is_standard_profile(name), rail] {
-    return standard ? 0 : rail_inclination(rail);
-  });
+  return std::async(std::launch::deferred,
+                    [standard = is_standard_profile(name), rail] { return standard ? 0 : rail_turn(rail); });
 }
 
 WheelRailProfiles read_profiles(const SceneFile& scene) {

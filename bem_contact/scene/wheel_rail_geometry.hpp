@@ -14,8 +14,8 @@
 
 namespace bem_contact {
 
-/// Says by how much a rail is inclined in its file already (like_standard.hpp), rad; 0 of a standard profile.
-/// It is found by whoever first asks for it: few do, and it takes as long as many a contact.
+/// Says by how much a rail is turned in its file (rail_turn() of like_standard.hpp), rad; 0 of a standard
+/// profile. It is found by whoever first asks for it: few do, and it takes as long as many a contact.
 using RailInclination = std::shared_future<double>;
 
 /// Holds both profiles, tabulated. They are read once for a sequence of cases with the same bodies.

@@ -78,6 +78,11 @@ TEST_F(CreepCurvesCommand, BesideMeasuredForces) {
   EXPECT_EQ(text_attribute(table, "measured/force"), "Fx");
   EXPECT_THAT(run(command + "--csv '" + points + "'").err, HasSubstr("points.csv"));
   EXPECT_THAT(text_of(points), HasSubstr("of a test"));
+  const Outcome below =
+      run("creep-curves " + rolling + " --xi=-0.001:0.0005:2 --measured '" +
+          write("below.csv", "xi,Fx,scatter\n0.0005,450,5\n-1e-3,-900,-1\n").string() + "'");
+  EXPECT_EQ(below.code, 2);
+  EXPECT_THAT(below.err, HasSubstr("has a scatter of -1 in its row 2"));
   for (const char* wrong : {"xi,Fy\n0,1\n", "Fx,xi\n0,1\n", "xi,Fx,width\n0,1,2\n", "xi\n0\n", "xi,Fx\n"}) {
     write("points.csv", wrong);
     EXPECT_EQ(run(command).code, 2) << wrong;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +68,27 @@ TEST_F(ProfileCommand, ListsTheStandards) {
   const Outcome none = run("profile");
   EXPECT_EQ(none.code, 2);
   EXPECT_THAT(none.err, HasSubstr("give --list"));
+}
+
+/// EN 15313's numbers, in the text and for programs; and a mirrored rail that leans outwards.
+TEST_F(ProfileCommand, GaugesWheelsAndRails) {
+  EXPECT_THAT(run("profile S1002").out, HasSubstr("flange: Sh 28.00 mm, Sd 32.50 mm, qR 10.79 mm"));
+  const auto j = nlohmann::json::parse(run("profile S1002 --json --step 5").out);
+  EXPECT_NEAR(j["flange"]["Sd"].get<double>(), 32.5, 1e-3);
+  EXPECT_TRUE(j["wear"].is_null());
+  const ProfileCurve upright = standard_profile("60E1");
+  const NominalPlace in_track{{0, 0}, -0.025};
+  std::string points;
+  for (double s = upright.s_begin(); s <= upright.s_end(); s += 0.25) {
+    const CurvePoint p = upright.at(s);
+    const Point2 q = in_track.to_measured(p.position + std::exp(-std::pow(s / 12, 2)) * normal_of(p.delta));
+    points += fmt::format("{:.6f} {:.6f}\n", q.y, q.z);
+  }
+  const std::string file = write("rail.ban", points).string();
+  EXPECT_THAT(run("profile '" + file + "'").out, HasSubstr("wear: W1 1.00 mm, W2 0.00 mm"));
+  EXPECT_THAT(run("profile '" + file + "' --mirror").out, HasSubstr("leans away from the track's centre"));
+  const std::string old = "MINIPROF 101 148\nown.prd\n 32.50 28.00 10.80  (Sd/Sh/qR)\n\n" + points;
+  EXPECT_EQ(run("profile '" + write("old.ban", old).string() + "'").code, 0);
 }
 
 /// Worn on top and inclined.

@@ -320,4 +320,13 @@ TEST_F(Study, NewScenesRun) {
   EXPECT_EQ(run("new --wheel S1003 --rail 60E1").code, 2);
 }
 
+/// What `profile` advises is what `new` gives: the standard from which a wheel is worn, before a wavelength.
+TEST_F(Study, NewTakesTheAdviceOfProfile) {
+  const std::string wheel = CONFORMAL_SOURCE_DIR "/data/bodies/worn_wheel.txt";
+  EXPECT_THAT(run("profile '" + wheel + "' --kind wheel").out, HasSubstr("nominal = \"S1002\" advised"));
+  const std::string scene = run("new --wheel '" + wheel + "' --rail 60E1").out;
+  EXPECT_THAT(scene, HasSubstr("wheel.nominal = \"S1002\""));
+  EXPECT_THAT(scene, Not(HasSubstr("smoothing")));
+}
+
 } // namespace

@@ -309,6 +309,71 @@ class Page(unittest.TestCase):
         self.show.value(f"{drop}('a.bin', 'x', document.body)")
         self.until("element('problem').innerText.includes('Drop a profile on the field')")
 
+    DROP = """(async (name, text, at) => { const transfer = new DataTransfer(); transfer.items.add(new File([text], name));
+        at.dispatchEvent(new DragEvent("drop", {dataTransfer: transfer, bubbles: true, cancelable: true})); })"""
+
+    def test_what_a_profile_warns_of_stands_on_the_page_with_a_button(self):
+        noisy = "".join(f"{0.25 * i:.2f} {(0.25 * i) ** 2 / 600 + 36 * abs(i / 144) ** 10 + 0.004 * (-1) ** (i * i // 7):.6f}\n" for i in range(-144, 145))
+        self.set_up(f"{self.DROP}('noisy.txt', {json.dumps(noisy)}, document.querySelector('.control:has(#rail-profile)'))")
+        remarks = self.show.value("[...document.querySelectorAll('.remark')].map(p => p.innerText)")
+        scatter = [text for text in remarks if "scatter by" in text]
+        self.assertEqual(len(scatter), 1, remarks)
+        self.assertTrue(scatter[0].startswith("noisy.txt: "), scatter)  # not a file of the temporary folder
+        self.set_up("[...document.querySelectorAll('.remark')].find(p => p.innerText.includes('scatter by')).querySelector('button').click()")
+        self.assertGreater(self.show.value("scene.changes['rail.smoothing'] ?? scene.changes['rail.nominal'].length"), 1)
+        self.assertFalse(self.show.value("[...document.querySelectorAll('.remark')].some(p => p.innerText.includes('scatter by'))"))
+
+    def test_an_inclination_given_twice_is_taken_back_by_a_button(self):
+        inclined = "".join(f"{y * c + z * s:.5f} {z * c - y * s:.5f}\n" for c, s in ((0.9996875, 0.0249974),)
+                           for y, z in ((0.25 * i, (0.25 * i) ** 2 / 600 + 36 * abs(i / 144) ** 10) for i in range(-144, 145)))
+        self.set_up(f"{self.DROP}('inclined.txt', {json.dumps(inclined)}, document.querySelector('.control:has(#rail-profile)'))")
+        said = "[...document.querySelectorAll('.warning')].filter(p => p.innerText.includes('already inclined'))"
+        self.assertEqual(self.show.value(said + ".length"), 1)
+        self.set_up(said + "[0].querySelector('button').click()")
+        self.assertEqual(self.show.value("scene.changes['position.rail_inclination']"), 0)
+        self.assertEqual(self.show.value(said + ".length"), 0)
+
+    def test_messages_have_the_units_of_the_fields(self):
+        for key, value, words in (("position.yaw", 0.9, "position.yaw = 900 mrad (out of range) Give a value >= -100 and <= 100 mrad"),
+                                  ("load.force", -3, "load.force = -0.003 kN (out of range)")):
+            self.show.value(f"moved('{key}', {value})")
+            self.until("!element('problem').hidden")
+            self.assertIn(words, self.show.value("element('problem').innerText"))
+            self.set_up("element('reset').click()")
+
+    def test_a_slider_has_its_own_range_after_a_reset(self):
+        self.set_up("(e => { e.value = '15'; e.dispatchEvent(new Event('change')); })(element('position-yaw'))")
+        range_of = "(s => [s.min, s.max])(element('position-yaw').parentElement.querySelector('[type=range]'))"
+        self.set_up("(e => { e.value = '60'; e.dispatchEvent(new Event('change')); })(element('position-yaw'))")
+        self.assertEqual(self.show.value(range_of), ["-20", "60"])
+        self.set_up("element('reset').click()")
+        self.assertEqual(self.show.value(range_of), ["-20", "20"])
+
+    def test_a_standard_that_is_misspelt_is_answered_with_the_nearest(self):
+        self.show.value("(e => { e.value = 'UIC99'; e.dispatchEvent(new Event('change')); })(element('rail-profile'))")
+        self.until("!element('problem').hidden")
+        self.assertRegex(self.show.value("element('problem').innerText"), r"Unknown profile 'UIC99'.*Did you mean .*UIC60")
+
+    def test_paper_has_the_answer_that_is_shown(self):
+        self.show.value("Object.keys(HEIGHTS).forEach(id => costs[id] = 1e9); lastMove = performance.now(); moved('position.lateral', 5)")
+        self.until("valueOf(contactsOf(data)[0].group.quantities, 'lateral') === 5")
+        self.assertTrue(self.show.value("dispatchEvent(new Event('beforeprint')); element('section').data[0].x.join() === "
+                                        "sectionFigure(contactsOf(data)[0]).traces[0].x.join()"))
+
+    def test_labels_in_3d_are_whole(self):
+        import io
+
+        from matplotlib.image import imread
+        self.set_up("element('in-3d').click()")
+        box = self.show.value("(b => [b.x + scrollX, b.y + scrollY, b.width, b.height])(element('solid').getBoundingClientRect())")
+        import base64
+        clip = dict(zip(("x", "y", "width", "height"), box), scale=1)
+        picture = imread(io.BytesIO(base64.b64decode(self.show.call("Page.captureScreenshot", {"format": "png", "clip": clip})["data"])))[..., :3]
+        self.set_up("element('in-3d').click()")
+        for name, edge in (("left", picture[60:, :3]), ("below", picture[-3:])):
+            self.assertGreater(edge.min(), 0.5, name)  # no ink
+        self.assertGreater((picture[..., 2] - picture[..., 0]).max(), 0.3)  # the patch is blue
+
     def test_two_cases_side_by_side(self):
         before = self.number("pmax")
         self.show.value("element('hold').click()")

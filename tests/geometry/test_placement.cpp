@@ -107,6 +107,23 @@ TEST(Placement, YawTurnsTheFrontToTheRightAndTakesTheRightWheelBack) {
   EXPECT_NEAR(frame.centre[1], 5 + 750 * std::cos(0.02), 1e-12);
 }
 
+/// A keeper or a check rail beside the head, as high as the head or higher, is not where the gauge is taken.
+TEST(Placement, TheGaugeIsTakenOnTheRunningHead) {
+  const ProfileCurve head = named_profile("60E1", ProfileKind::rail);
+  std::vector<Point2> points;
+  for (const CurvePoint& p : points_along(head, 0.4))
+    points.push_back(p.position);
+  for (const double height : {0.0, 0.5, 20.0, 60.0}) {
+    std::vector<Point2> both{{-110, 45}, {-110, -height}, {-80, -height}, {-80, 45}};
+    both.insert(both.end(), points.begin(), points.end());
+    const WheelOnRail pair = place({}, ProfileCurve::through_points("keeper", both),
+                                   named_profile("S1002", ProfileKind::wheel)),
+                      alone = s1002_on_60e1({});
+    EXPECT_NEAR(pair.rail_pose.origin.y, alone.rail_pose.origin.y, 0.01) << height;
+    EXPECT_NEAR(pair.rail_pose.origin.z, alone.rail_pose.origin.z, 0.01) << height;
+  }
+}
+
 TEST(Placement, DeviationsMoveTheRailAlone) {
   WheelsetPosition position;
   const WheelOnRail nominal = s1002_on_60e1(position);

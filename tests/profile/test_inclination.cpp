@@ -1,3 +1,4 @@
+#include "bem_contact/profile/profile_findings.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/worn/head_symmetry.hpp"
 #include "bem_contact/profile/worn/like_standard.hpp"
@@ -5,6 +6,7 @@
 #include "warnings.hpp"
 #include "worn_points.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -101,6 +103,38 @@ TEST(RailInclination, TakesNoWearForAnInclination) {
       for (const double width : {12.0, 20.0, 30.0})
         EXPECT_EQ(inclination(worn_points("60E1", {{depth, at, width}}, {}, 0.5)), 0)
             << depth << ' ' << at << ' ' << width;
+}
+
+/// A low rail: a trough over the whole top, beside its middle. Its flanks alone tell.
+TEST(RailInclination, OfALowRailWornAllOverItsTopIsTold) {
+  for (const double c : {-6.0, -4.0, 0.0, 4.0, 6.0})
+    for (const double w : {12.0, 18.0})
+      for (const double depth : {0.5, 1.0, 2.0})
+        for (const double part : {0.0, 0.025, 0.05}) {
+          const Points points = noisy(worn_points("60E1", {{depth, c, w}}, {{0, 0}, -part}, 0.25), 0.003, 7);
+          const Warnings quiet;
+          const MeasuredProfile p = parse_measured_profile(as_columns(points), "rail.txt", ProfileKind::rail);
+          EXPECT_NEAR(rail_inclination(p.curve, p.scatter_left()), part, 2e-3)
+              << c << ' ' << w << ' ' << depth;
+          const auto like = like_standard(p.curve, ProfileKind::rail, p.scatter_left());
+          ASSERT_TRUE(like) << c << ' ' << w << ' ' << depth;
+          EXPECT_TRUE(like->name == "60E1" || like->other == "60E1") << like->name;
+        }
+}
+
+TEST(RailInclination, OfARailThatLeansOutwardsIsSaid) {
+  const auto turn = [](double angle) {
+    const Warnings quiet;
+    const Points points = worn_points("60E1", {{0.5, 0, 12}}, {{-7, 0}, angle}, 0.4);
+    const MeasuredProfile p = parse_measured_profile(as_columns(points), "rail.txt", ProfileKind::rail);
+    return rail_turn(p.curve, p.scatter_left());
+  };
+  EXPECT_NEAR(turn(0.025), 0.025, 1e-3);
+  EXPECT_NEAR(turn(-0.025), -0.025, 1e-3);
+  EXPECT_EQ(turn(0), 0);
+  EXPECT_THAT(leans_outwards(0.025),
+              testing::HasSubstr("away from the track's centre in its file (about 1:40)"));
+  EXPECT_EQ(leans_outwards(-0.025), "");
 }
 
 /// The gauge face is worn to a plane, `side` mm inside the widest place of the head.

@@ -41,6 +41,13 @@ TEST(OldMiniProf, TheHeaderEndsAtTheFirstEmptyLineAndItsNumbersAreNoPoints) {
   EXPECT_NEAR(tip_of(header + miniprof_columns()), -55, 0.1);
 }
 
+TEST(OldMiniProf, MayBeginWithoutAHash) {
+  const std::string header =
+      "MINIPROF 101 148 1994 3 24\nown.prd\nStock.......: \nWheel ID....:\n 32.50 28.00 10.80  "
+      "(Sd/Sh/qR)\n\n";
+  EXPECT_NEAR(tip_of(header + miniprof_columns()), -55, 0.1);
+}
+
 TEST(MiniProfParts, OneOfTwoProfilesIsChosenByItsNumber) {
   const std::string columns = miniprof_columns(), lower = miniprof_columns(0.5, 3);
   const std::string two = "[FileInfo]\nProgramName=x\n\n[Profile1Info]\nColumnDef=X,Y\n[Profile1Points]\n" +

@@ -207,6 +207,69 @@ TEST(NoisyFile, IsWarnedOfWithFiguresAndTheSmoothingToUse) {
   EXPECT_THAT(said(points, {.smoothing = 40}), HasSubstr("smoothing = 40 takes shape away"));
 }
 
+/// Waves of 2 to 10 mm along the normal, as strong at each length, beside a scatter of 0.3 um.
+Points wavy(const ProfileCurve& curve, double deviation, double longest, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> per_mm(1 / longest, 0.5), phase(0, 2 * std::numbers::pi);
+  constexpr int count = 60;
+  std::vector<std::pair<double, double>> waves;
+  for (int i = 0; i < count; ++i)
+    waves.emplace_back(2 * std::numbers::pi * per_mm(generator), phase(generator));
+  Points out;
+  const double length = curve.s_end() - curve.s_begin();
+  const int steps = static_cast<int>(length / 0.25);
+  for (int i = 0; i <= steps; ++i) {
+    const CurvePoint p = curve.at(curve.s_begin() + length * i / steps);
+    double off = 0;
+    for (const auto& [k, from] : waves)
+      off += deviation * std::sqrt(2.0 / count) * std::sin(k * p.s + from);
+    out.push_back(p.position + off * normal_of(p.delta));
+  }
+  return noisy(out, 0.0003, seed);
+}
+
+/// What is advised removes noise alone; what is shorter leaves noise, what is longer takes shape away.
+TEST(NoisyFile, TheAdviceForWavesIsOne) {
+  for (const char* name : {"S1002", "1/40"})
+    for (const double deviation : {0.001, 0.006})
+      for (unsigned seed = 1; seed <= 3; ++seed) {
+        const Points points = wavy(standard_profile(name), deviation, 10, seed);
+        const auto of = [&](double smoothing) {
+          const Warnings quiet;
+          return parse_measured_profile(as_columns(points), "w.whl", ProfileKind::wheel,
+                                        {.smoothing = smoothing});
+        };
+        const MeasuredProfile raw = of(0);
+        ASSERT_GT(raw.advice.smoothing, 0) << name << ' ' << deviation;
+        EXPECT_THAT(raw.noise.waves,
+                    testing::AllOf(testing::Gt(0.4 * deviation), testing::Lt(2.5 * deviation)));
+        const std::string at_advice = said(points, {.smoothing = raw.advice.smoothing});
+        EXPECT_THAT(at_advice, Not(HasSubstr("warning"))) << name << ' ' << deviation << ' ' << seed;
+        const MeasuredProfile smooth = of(raw.advice.smoothing);
+        EXPECT_LT(smooth.removed_rms, smooth.largest_noise_removed());
+        EXPECT_THAT(said(points, {.smoothing = 0.5 * raw.advice.smoothing}), HasSubstr("leaves noise"));
+      }
+}
+
+/// Whatever the noise is, no wavelength is said to be both too short and too long, and the advised one is
+/// neither.
+TEST(NoisyFile, NothingIsBothTooShortAndTooLong) {
+  for (const double longest : {5.0, 10.0, 14.0})
+    for (const double deviation : {0.0003, 0.002})
+      for (const double smoothing : {3.0, 6.0, 9.0, 13.0}) {
+        const Points points = wavy(standard_profile("S1002"), deviation, longest, 3);
+        const std::string text = said(points, {.smoothing = smoothing});
+        EXPECT_FALSE(text.find("leaves noise") != text.npos && text.find("takes shape away") != text.npos)
+            << text;
+      }
+}
+
+TEST(Noise, WavesOfASmoothProfileAreNone) {
+  for (const char* name : {"S1002", "1/40", "60E1", "60E2", "54E1", "46E3"})
+    for (const double step : {0.1, 0.25, 0.5})
+      EXPECT_EQ(measure_noise(sampled_curve(standard_profile(name), step)).waves, 0) << name << ' ' << step;
+}
+
 /// Arcs and lines, a point every 1 to 1.9 mm, exact: cubics through nine of them do not follow.
 TEST(Noise, CoarsePointsOfExactArcsHaveNone) {
   for (const char* name : {"60E1", "60E2", "54E1", "46E3", "S1002"})

@@ -370,7 +370,7 @@ TEST(Nominal, AWheelOfAnotherShapeIsNeitherAdvisedNorSilent) {
   EXPECT_THAT(said(noisy(other, 0.003, 1), ProfileKind::wheel),
               AllOf(HasSubstr("smoothing ="), Not(HasSubstr("nominal"))));
   EXPECT_THAT(said(other, ProfileKind::wheel, {.nominal = "S1002"}),
-              AllOf(HasSubstr("hardly worn from S1002"), HasSubstr("lie outside, up to")));
+              AllOf(HasSubstr("S1002 does not fit"), HasSubstr("lie outside, up to")));
   const Points turned_wheel = worn_points("S1002", {}, {{0, 0}, 0.012}, 0.5);
   EXPECT_THAT(said(noisy(turned_wheel, 0.003, 1), ProfileKind::wheel), Not(HasSubstr("nominal")));
   EXPECT_THAT(said(turned_wheel, ProfileKind::wheel, {.nominal = "S1002"}),

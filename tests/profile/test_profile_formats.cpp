@@ -32,6 +32,11 @@ void expect_near(Point2 a, Point2 b) {
   EXPECT_LT(norm(a - b), 1e-9) << a.y << " " << a.z;
 }
 
+TEST(Simpack, comments_begin_with_either_mark) {
+  std::string text = simpack("shift.y = 3 % to the field side", "% measured\n" + std::string(bow));
+  expect_near(first_point(rail_of(text)), {-17, 4});
+}
+
 TEST(Simpack, every_flag) {
   const Warnings warnings;
   expect_near(first_point(rail_of(simpack("", bow))), {-20, 4});

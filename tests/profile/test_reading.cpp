@@ -279,6 +279,21 @@ TEST(MissingValues, AreLeftOutAndSaid) {
   EXPECT_LT(answer(metres, "S1002").off, 0.01);
 }
 
+/// The outer wall of a keeper: two points, far apart for their neighbours, at a number of nines.
+TEST(MissingValues, ANumberOfNinesWhereTheProfileGoesIsAPlace) {
+  Points points{{-99.9, 40}, {-99.9, 0.5}};
+  for (double y = -99.4; y < -78; y += 0.5)
+    points.push_back({y, 0.5});
+  points.insert(points.end(), {{-78, 47}, {-45, 47}}); // the groove
+  const Points head = sampled_curve(standard_profile("60E1"), 0.5);
+  points.insert(points.end(), head.begin(), head.end());
+  const Warnings warnings;
+  const ProfileCurve curve =
+      parse_profile(as_columns(points), "p.txt", ProfileKind::rail, {.profile_z = ProfileZ::down});
+  EXPECT_NEAR(curve.at(curve.s_begin()).position.y, -99.9, 1e-9);
+  EXPECT_THAT(warnings.text(), Not(HasSubstr("missing value")));
+}
+
 TEST(MissingValues, OfTwoZerosAreLeftOutWhereTheWalkLeapsThere) {
   Points points = sampled_curve(standard_profile("S1002"), 0.2);
   for (const std::size_t at : {100u, 101u, 400u, 500u})

@@ -1,6 +1,10 @@
 """bem_contact.Profile and standards: an own profile as arrays, wherever a profile file goes."""
 
+import ast
+import json
 import os
+import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -9,6 +13,7 @@ import numpy as np
 
 import bem_contact
 
+ROOT = Path(__file__).resolve().parents[2]
 SCENE = {"rail": {"profile": "60E1"}, "wheel": {"profile": "S1002"}, "load": {"force": 8e4}, "grid": {"dx": 1.0, "ds": 0.5},
          "position": {"rail_inclination": 0.025}}
 
@@ -56,6 +61,69 @@ class OwnProfiles(unittest.TestCase):
                 bem_contact.Profile(*arguments)
         with self.assertRaisesRegex(bem_contact.InputError, "needs at least 3"):
             bem_contact.profile(bem_contact.Profile([0, 1], [0, 0], "rail"))
+
+
+class Stub(unittest.TestCase):
+    def test_a_profile_is_no_abstract_class(self):
+        tree = ast.parse((ROOT / "bem_contact" / "python" / "bem_contact" / "__init__.pyi").read_text())
+        of = next(node for node in tree.body if isinstance(node, ast.ClassDef) and node.name == "Profile")
+        self.assertIn("__fspath__", [node.name for node in of.body if isinstance(node, ast.FunctionDef)])
+
+
+class Messages(unittest.TestCase):
+    NOISY = """
+import logging, numpy as np, bem_contact
+p = bem_contact.profile("S1002", step=0.25)
+z = p["z"] + np.random.default_rng(1).normal(0, 0.003, len(p["z"]))
+wheel = bem_contact.Profile(p["y"], z, kind="wheel")
+"""
+
+    def said(self, lines):
+        done = subprocess.run([sys.executable, "-c", self.NOISY + lines], capture_output=True, text=True, env=os.environ)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stderr
+
+    def test_name_the_array(self):
+        said = self.said("bem_contact.profile(wheel)")
+        self.assertRegex(said, r"^warning: the array of a wheel \(\d+ points\): its points scatter by")
+        self.assertNotIn("bem_contact_profiles_", said)
+
+    def test_can_be_silenced_by_logging(self):
+        smooth = "bem_contact.profile(wheel, reading={'smoothing': 9})"
+        self.assertIn("info: the array of a wheel", self.said(smooth))
+        self.assertEqual(self.said("logging.getLogger('bem_contact').setLevel(logging.WARNING); " + smooth), "")
+        self.assertEqual(self.said("logging.disable(logging.WARNING); bem_contact.profile(wheel)"), "")
+        kept = "class Keep(logging.Handler):\n  def emit(self, record): print(record.levelname, record.getMessage()[:9], flush=True)\n"
+        self.assertEqual(self.said(kept + "logging.getLogger('bem_contact').addHandler(Keep()); bem_contact.profile(wheel)"), "")
+
+
+class Numbers(unittest.TestCase):
+    def test_of_en_15313_are_those_of_the_program(self):
+        flange = bem_contact.profile("S1002")["flange"]
+        self.assertAlmostEqual(flange["Sh"], 28, delta=1e-3)
+        self.assertAlmostEqual(flange["Sd"], 32.5, delta=1e-3)
+        self.assertAlmostEqual(flange["qR"], 10.794, delta=1e-3)
+        self.assertIsNone(bem_contact.profile("60E1")["flange"])
+        program = os.environ["BEM_CONTACT"]
+        said = json.loads(subprocess.run([program, "profile", "S1002", "--json"], capture_output=True, text=True, check=True).stdout)
+        self.assertEqual(said["flange"], flange)
+        text = subprocess.run([program, "profile", "S1002"], capture_output=True, text=True, check=True).stdout
+        self.assertIn("flange: Sh 28.00 mm, Sd 32.50 mm, qR 10.79 mm", text)
+        rail = ROOT / "data" / "bodies" / "worn_rail.txt"
+        said = json.loads(subprocess.run([program, "profile", rail, "--kind", "rail", "--json"], capture_output=True, text=True, check=True).stdout)
+        found = bem_contact.profile(rail, "rail")
+        self.assertEqual(said["wear"], found["wear"])
+        self.assertEqual(set(found["wear"]), {"W1", "W2", "W3"})
+
+
+class Notebooks(unittest.TestCase):
+    def test_results_and_sweeps_show_themselves(self):
+        html = bem_contact.solve(SCENE)._repr_html_()
+        self.assertIn("<td>pmax</td>", html)
+        self.assertIn("Certified", html)
+        html = bem_contact.sweep({**SCENE, "sweep": {"position.lateral": [0.0, 1.0]}})._repr_html_()
+        self.assertIn("<th>position.lateral</th>", html)
+        self.assertEqual(html.count("<td>certified</td>"), 2)
 
 
 class Standards(unittest.TestCase):

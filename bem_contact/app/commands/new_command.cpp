@@ -53,10 +53,12 @@ std::string profile_lines(const char* body, const std::string& name, ProfileKind
   }
   std::string out = fmt::format(
       "{}.profile = \"{}\" # a standard (bem_contact profile --help) or a profile file\n", body, path);
-  if (read.noise.smoothing > 0)
-    out += fmt::format(
-        "{}.smoothing = {:.2g} # mm, shortest wave that is kept: the points scatter by {:.2g} um\n", body,
-        read.noise.smoothing, 1e3 * read.noise.scatter);
+  const std::string noise = fmt::format("the points scatter by {:.2g} um", 1e3 * read.noise.scatter);
+  if (const ReadingAdvice& advice = read.advice; !advice.nominal.empty())
+    out += fmt::format("{}.nominal = \"{}\" # from which it was made: {}\n", body, advice.nominal, noise);
+  else if (advice.smoothing > 0)
+    out += fmt::format("{}.smoothing = {:.2g} # mm, shortest wave that is kept: {}\n", body, advice.smoothing,
+                       noise);
   return out;
 }
 

@@ -1,16 +1,20 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/placed_standard.hpp"
+#include "bem_contact/app/output/profile_report.hpp"
 #include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
-#include "bem_contact/profile/worn/like_standard.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/json.hpp"
 #include "bem_contact/report/report_page.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 #include "bem_contact/sequence/conformity_record.hpp"
+#include "bem_contact/sequence/profile_record.hpp"
+#include "bem_contact/sequence/scene_record.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -24,11 +28,6 @@
 namespace bem_contact::app {
 
 namespace {
-
-/// mm. `profile` prints one mean radius for each stretch of this length. A wheel has about 30 of them.
-constexpr double radius_stretch = 5.0;
-/// mm. A larger radius is printed as straight. Chosen.
-constexpr double straight_radius = 20000.0;
 
 constexpr const char* profile_help =
     R"(The file is read as a scene would read it; warnings say what was repaired. It is a measured profile (MiniProf, Simpack,
@@ -46,7 +45,7 @@ struct ProfileArguments {
   std::string name, kind, unit = "found", profile_z = "as stated", csv, plot, on, body, against;
   ProfileReading reading;
   double step = profile_csv_step;
-  bool list = false;
+  bool list = false, json = false;
 };
 
 template <NamedEnum E> E choice(const std::string& name) {
@@ -55,85 +54,6 @@ template <NamedEnum E> E choice(const std::string& name) {
 
 template <NamedEnum E> std::vector<std::string> choices() {
   return {EnumNames<E>::names.begin(), EnumNames<E>::names.end()};
-}
-
-std::string radius_text(double turn, double length) {
-  const double radius = length / turn;
-  return std::abs(radius) < straight_radius ? fmt::format("{:9.1f}", radius)
-                                            : fmt::format("{:>9}", "straight");
-}
-
-std::string noise_text(const MeasuredProfile& p) {
-  if (p.noise.coarse)
-    return "  noise: not known; the points are too far apart for a curved profile\n";
-  if (p.smoothing > 0 || p.worn)
-    return fmt::format("  noise: {:.2f} um as measured\n", 1e3 * p.noise.scatter);
-  return fmt::format(
-      "  noise: {:.2f} um; a curve through all points has pressures off by some {:.0f} MPa (steel); "
-      "{}\n",
-      1e3 * p.noise.scatter, p.noise.pressure,
-      p.noise.smoothing > 0 ? fmt::format("smoothing = {:.2g} advised", p.noise.smoothing)
-                            : std::string("no smoothing needed"));
-}
-
-std::string like_text(const LikeStandard& like, const MeasuredProfile& p) {
-  const std::string other = like.other.empty() ? "" : fmt::format(" or {}", like.other);
-  std::string out = fmt::format("  like {}{}, worn by {:.3f} .. {:.3f} mm", like.name, other,
-                                like.least_depth, like.largest_depth);
-  if (p.noise.smoothing > 0 && p.smoothing == 0)
-    out += fmt::format("; nominal = \"{}\"{} advised", like.name,
-                       like.other.empty() ? "" : fmt::format(" or \"{}\"", like.other));
-  return out + '\n';
-}
-
-double inclination_of(const MeasuredProfile& p, ProfileKind kind) {
-  return p.points > 0 && kind == ProfileKind::rail ? rail_inclination(p.curve, p.scatter_left()) : 0;
-}
-
-/// The profile in words: points, extent, noise, what smoothing removed, radii along s.
-std::string describe_profile(const MeasuredProfile& p, const std::optional<LikeStandard>& like,
-                             ProfileKind kind) {
-  const ProfileCurve& curve = p.curve;
-  const double length = curve.s_end() - curve.s_begin();
-  std::string out = fmt::format("Profile of a {}: {}\n", name_of(kind), curve.name());
-  if (p.points > 0) {
-    out += fmt::format("  points: {}, {:.3g} mm apart in the median\n", p.points, p.noise.spacing);
-    out += noise_text(p);
-    if (!p.outliers.empty())
-      out +=
-          fmt::format("  outliers: {}, the first at y = {:.2f}, z = {:.2f} by {:.2g} mm\n", p.outliers.size(),
-                      p.outliers.front().point.y, p.outliers.front().point.z, p.outliers.front().distance);
-  }
-  if (like)
-    out += like_text(*like, p);
-  if (const double inclined = inclination_of(p, kind); inclined > 0)
-    out += fmt::format("  inclined: turned by {:.2f} degrees ({}): the file is already inclined; give "
-                       "position.rail_inclination = 0 with it\n",
-                       -degrees(inclined), inclination_text(inclined));
-  if (p.worn)
-    out += fmt::format("  nominal: {}\n", worn_text(*p.worn));
-  if (p.smoothing > 0)
-    out +=
-        fmt::format("  smoothed: waves shorter than {} mm removed, {:.2f} um root mean square, {:.2f} um at "
-                    "most: {} (up to {:.2f} um is taken for noise)\n",
-                    wavelength_text(p), 1e3 * p.removed_rms, 1e3 * p.removed_most,
-                    p.removed_rms > p.largest_noise_removed() ? "shape is taken away" : "noise alone",
-                    1e3 * p.largest_noise_removed());
-  out +=
-      fmt::format("  length: {:.2f} mm, s = {:.2f} .. {:.2f} mm\n", length, curve.s_begin(), curve.s_end());
-  out += "  radii: mean over each stretch, > 0 convex, < 0 concave\n";
-  out += "      from s       to s          y          z   inclination    radius\n";
-  out += "          mm         mm         mm         mm       degrees        mm\n";
-  const int stretches = std::max(1, static_cast<int>(std::ceil(length / radius_stretch)));
-  for (int i = 0; i < stretches; ++i) {
-    const CurvePoint a = curve.at(curve.s_begin() + length * i / stretches),
-                     b = curve.at(curve.s_begin() + length * (i + 1) / stretches),
-                     m = curve.at((a.s + b.s) / 2);
-    out += fmt::format("  {:10.2f} {:10.2f} {:10.2f} {:10.2f} {:13.2f} {}\n", a.s, b.s, m.position.y,
-                       m.position.z, degrees(m.delta) - (kind == ProfileKind::wheel ? 180 : 0),
-                       radius_text(b.delta - a.delta, b.s - a.s));
-  }
-  return out;
 }
 
 /// `depth`: worn off, at each point; none: no such column.
@@ -245,12 +165,16 @@ ExitCode run(ProfileArguments arguments) {
   if (!arguments.csv.empty())
     write_whole(arguments.csv,
                 [&](std::ostream& out) { out << profile_csv(points_along(profile.curve, arguments.step)); });
-  const std::optional<LikeStandard> like =
-      profile.points > 0 ? like_standard(profile.curve, kind, profile.scatter_left()) : std::nullopt;
-  const std::string words = describe_profile(profile, like, kind);
+  const ProfileFindings found = findings_of(profile, kind, arguments.reading);
+  const std::string words = to_text(profile, found, kind);
   if (!arguments.plot.empty())
     report::write_profile_page(std::filesystem::path(arguments.name).filename(), words,
-                               drawn_profiles(arguments, profile, like, kind), arguments.plot);
+                               drawn_profiles(arguments, profile, found.like, kind), arguments.plot);
+  if (arguments.json) {
+    fmt::print("{}\n", record::to_json(
+                           headed(profile_format).append(record_of(profile, found, kind, arguments.step))));
+    return success;
+  }
   fmt::print("{}{}", words, arguments.against.empty() ? "" : fit_text(arguments, profile, kind));
   return success;
 }
@@ -303,6 +227,7 @@ Command add_profile(CLI::App& program) {
                     "Write a page (HTML) that draws outline and curvature, with the standard beside them");
   line->add_option("--step", arguments->step, "Longest step of table and page, mm")
       ->check(CLI::Range(1e-3, 100.0));
+  add_json(*line, arguments->json);
   line->footer(profile_help);
   return {line, [arguments] { return run(*arguments); }};
 }

@@ -51,10 +51,19 @@ struct Part {
   std::vector<Point2> points;
 };
 
+/// "#MINIWHEELPROF", "MINIPROF 101 148 ...": how the older variant begins, with a quotation mark or without.
+bool begins_old_variant(std::string_view line) {
+  line = trimmed(line);
+  for (const char mark : {'"', '#'})
+    if (line.starts_with(mark))
+      line.remove_prefix(1);
+  return line.starts_with("MINIPROF") || line.starts_with("MINIWHEELPROF") ||
+         line.starts_with("MINIRAILPROF");
+}
+
 /// Whether points may begin only after an empty line: the header of the older variant has numbers of its own.
-bool header_ends_at_empty_line(std::string_view text) {
-  const auto lines = lines_of(text);
-  return trimmed(lines.front()).find("#MINI") != std::string_view::npos &&
+bool header_ends_at_empty_line(const std::vector<std::string_view>& lines) {
+  return begins_old_variant(lines.front()) &&
          std::ranges::any_of(lines, [](std::string_view line) { return trimmed(line).empty(); });
 }
 
@@ -71,12 +80,13 @@ Point2 point_of(std::string_view line, const Header& header, const std::string& 
 }
 
 std::vector<Part> parts_of(std::string_view text, const std::string& source) {
-  bool in_header = header_ends_at_empty_line(text);
+  const std::vector<std::string_view> lines = lines_of(text);
+  bool in_header = header_ends_at_empty_line(lines);
   std::vector<Part> parts(1);
   Header next;            ///< of the section that describes the next points
   bool described = false; ///< by keys that follow points: what comes next is another profile
   std::size_t number = 0;
-  for (const std::string_view raw : lines_of(text)) {
+  for (const std::string_view raw : lines) {
     ++number;
     if (in_header && trimmed(raw).empty())
       in_header = false;
@@ -118,12 +128,14 @@ std::vector<Part> parts_of(std::string_view text, const std::string& source) {
 } // namespace
 
 bool is_miniprof(std::string_view text) {
-  for (std::string_view line : lines_of(text)) {
+  const std::vector<std::string_view> lines = lines_of(text);
+  if (!lines.empty() && begins_old_variant(lines.front()))
+    return true;
+  for (std::string_view line : lines) {
     line = trimmed(line);
-    if (line.starts_with("#MINIWHEELPROF") || line.starts_with("#MINIPROF") ||
-        line.starts_with("XYPoints=") || line.starts_with("ColumnDef=") || line.starts_with("MPTypeNo=") ||
-        line.starts_with("\"#MINI") || line == "[FileInfo]" || line == "[Profile1Info]" ||
-        line == "[Profile1Points]")
+    if (line.starts_with("#MINI") || line.starts_with("\"#MINI") || line.starts_with("XYPoints=") ||
+        line.starts_with("ColumnDef=") || line.starts_with("MPTypeNo=") || line == "[FileInfo]" ||
+        line == "[Profile1Info]" || line == "[Profile1Points]")
       return true;
   }
   return false;

@@ -16,8 +16,8 @@ MeasuredPoints points_of(std::string_view text, const std::string& source, Profi
                          const ProfileReading& reading);
 
 /// Says whether the text is a MiniProf file: "Key=Value" lines (.ban, .whl), sections [Profile1Info],
-/// [Profile1Points] (.mpt), or the older variant that begins with "#MINIWHEELPROF" and ends its header with
-/// an empty line.
+/// [Profile1Points] (.mpt), or the older variant that begins with "#MINIWHEELPROF" or "MINIPROF" and ends its
+/// header with an empty line.
 bool is_miniprof(std::string_view text);
 /// Its points; of a file with several profiles those of number `part`, from 1 (0: the only one). y is
 /// mirrored back; z is left as it stands, because files with both signs exist. `source` names the file in

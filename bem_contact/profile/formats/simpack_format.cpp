@@ -85,7 +85,7 @@ MeasuredPoints simpack_points(std::string_view text, const std::string& source, 
   std::size_t number = 0;
   for (const std::string_view raw : lines_of(text)) {
     ++number;
-    const std::string_view line = trimmed(raw.substr(0, raw.find('!')));
+    const std::string_view line = trimmed(raw.substr(0, raw.find_first_of("!%")));
     if (line.empty())
       continue;
     if (line == "header.begin") {

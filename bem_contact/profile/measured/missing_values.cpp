@@ -20,6 +20,9 @@ namespace {
 constexpr double farthest_point = 30.0;
 /// 1 (median distances of neighbouring points). A mark of a missing value lies behind such a jump. Chosen.
 constexpr double jump_to_mark = 10.0;
+/// 1 (range of the other points). A number of nines that lies beyond them by less is a place: -99.9 may well
+/// be where a keeper begins. Chosen.
+constexpr double farthest_of_nines = 0.1;
 /// 1. In fewer points there is no median to trust.
 constexpr std::size_t least_points_with_marks = 8;
 
@@ -42,11 +45,31 @@ bool of_nines(double value) {
   return digits.starts_with("99") && digits.find_first_not_of("9.") == std::string::npos;
 }
 
+/// Where the points lie whose coordinate is no number of nines.
+struct Range {
+  double low = 0, high = 0;
+
+  bool far_beyond(double value) const {
+    return std::max(low - value, value - high) > farthest_of_nines * (high - low);
+  }
+};
+Range range_of(const std::vector<Point2>& points, double Point2::*coordinate) {
+  std::vector<double> values;
+  for (const Point2& p : points)
+    if (!of_nines(p.*coordinate))
+      values.push_back(p.*coordinate);
+  if (values.empty())
+    return {};
+  const auto [low, high] = std::ranges::minmax(values);
+  return {low, high};
+}
+
 /// Finds runs of points that may be marks, and looks whether the walk jumps there and back.
 class Marks {
 public:
   explicit Marks(const std::vector<Point2>& points)
       : points_(points), y_(middle_of(points, &Point2::y)), z_(middle_of(points, &Point2::z)),
+        of_y_(range_of(points, &Point2::y)), of_z_(range_of(points, &Point2::z)),
         far_(farthest_point * std::max(y_.spread, z_.spread)), jump_(jump_to_mark * median_spacing(points)) {}
 
   /// One for each point.
@@ -66,9 +89,10 @@ public:
 
 private:
   bool is_far(Point2 p) const { return std::abs(p.y - y_.at) > far_ || std::abs(p.z - z_.at) > far_; }
-  bool may_be(Point2 p) const {
-    return is_far(p) || of_nines(p.y) || of_nines(p.z) || (p.y == 0 && p.z == 0);
+  bool has_nines(Point2 p) const {
+    return (of_nines(p.y) && of_y_.far_beyond(p.y)) || (of_nines(p.z) && of_z_.far_beyond(p.z));
   }
+  bool may_be(Point2 p) const { return is_far(p) || has_nines(p) || (p.y == 0 && p.z == 0); }
   /// The point i of the run from .. to.
   bool is_mark(std::size_t i, std::size_t from, std::size_t to) const {
     const Point2* before = from > 0 ? &points_[from - 1] : nullptr;
@@ -76,7 +100,7 @@ private:
     const auto stays = [&](const Point2* other) { return other && norm(points_[i] - *other) <= jump_; };
     if (stays(before) || stays(after) || (!before && !after))
       return false;
-    if (is_far(points_[i]) || of_nines(points_[i].y) || of_nines(points_[i].z))
+    if (is_far(points_[i]) || has_nines(points_[i]))
       return true;
     // (0, 0) may well lie on a profile of few points.
     return before && after &&
@@ -85,6 +109,7 @@ private:
 
   const std::vector<Point2>& points_;
   Middle y_, z_;
+  Range of_y_, of_z_;
   double far_, jump_;
 };
 

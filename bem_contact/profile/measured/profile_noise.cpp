@@ -30,6 +30,13 @@ constexpr double normal_deviation_over_quiet = 2.2037;
 /// 1. Scatter on arcs that is less than this share of the other shows that the other is shape. Of white noise
 /// both agree within a third. Chosen.
 constexpr double shape_share = 0.5;
+/// mm. Waves are looked for in the means of so long stretches: with nine of them, those of 2 to 10 mm.
+constexpr double wave_stretch = 1.0;
+/// mm. Waves of less are not told from shape: what is worn smoothly off a tread leaves .2 um.
+constexpr double least_waves = 5e-4;
+/// 1. White noise leaves up to .9 of itself in these means, over what it leaves on a straight line .5: where
+/// the ratio of both deviations, each times the root of its distance, is above this, there are waves besides.
+constexpr double waves_over_noise = 2.0;
 /// MPa. E* of two steel bodies, for the pressure that noise makes.
 constexpr double steel_contact_modulus = 115000;
 /// MPa. Noise that makes less is not worth a word: 1 % of a usual largest pressure.
@@ -74,14 +81,50 @@ std::vector<double> deviations_of(std::span<const Point2> points, std::size_t ne
   return out;
 }
 
-/// The same from the nearest neighbours alone, and from points with the least deviations: where points are
-/// far apart, most cubics lie across a jump of the curvature, but some lie on one arc.
-double scatter_on_arcs(std::span<const Point2> points) {
-  std::vector<double> deviations = deviations_of(points, near_noise_neighbours);
+/// The same from points with the least deviations: where cubics are long, most lie across a jump of the
+/// curvature, but some lie on one arc.
+double scatter_on_arcs(std::span<const Point2> points, std::size_t neighbours) {
+  std::vector<double> deviations = deviations_of(points, neighbours);
   const auto at =
       deviations.begin() + static_cast<std::ptrdiff_t>(quiet_share * static_cast<double>(deviations.size()));
   std::ranges::nth_element(deviations, at);
   return normal_deviation_over_quiet * *at;
+}
+
+/// Means of so many neighbours each.
+std::vector<Point2> means_of(std::span<const Point2> points, std::size_t count) {
+  std::vector<Point2> out;
+  for (std::size_t i = 0; i + count <= points.size(); i += count) {
+    Point2 sum{};
+    for (const Point2 p : points.subspan(i, count))
+      sum = sum + p;
+    out.push_back((1.0 / static_cast<double>(count)) * sum);
+  }
+  return out;
+}
+
+/// Standard deviation of the waves that are too long for the scatter, mm, and the distance of the means that
+/// tell it, mm; both 0 without waves.
+struct Waves {
+  double deviation = 0, spacing = 0;
+};
+Waves waves_in(std::span<const Point2> points, const ProfileNoise& noise) {
+  const double stretch = wave_stretch / std::max(noise.spacing, crowded);
+  const auto count = static_cast<std::size_t>(std::max(1.0, std::round(stretch)));
+  const std::vector<Point2> means = means_of(points, count);
+  if (count < 2 || means.size() <= 2 * noise_neighbours)
+    return {};
+  const Waves found{scatter_on_arcs(means, noise_neighbours), noise.spacing * static_cast<double>(count)};
+  const bool besides = found.deviation * std::sqrt(found.spacing) >
+                       waves_over_noise * noise.scatter * std::sqrt(noise.spacing);
+  return besides && found.deviation > least_waves ? found : Waves{};
+}
+
+double slope_of(double deviation, double spacing) {
+  return std::numbers::pi * deviation / (std::sqrt(3.0) * spacing);
+}
+double bending_of(double deviation, double spacing) {
+  return std::numbers::pi * std::numbers::pi * deviation / (std::sqrt(5.0) * spacing * spacing);
 }
 
 } // namespace
@@ -94,16 +137,23 @@ ProfileNoise measure_noise(std::span<const Point2> points) {
   noise.spacing = median_spacing(points);
   noise.scatter = normal_deviation_over_median * median(deviations_of(points, noise_neighbours));
   if (static_cast<double>(of_fit - 1) * noise.spacing > shapeless_window)
-    if (const double on_arcs = scatter_on_arcs(points); on_arcs < shape_share * noise.scatter)
+    if (const double on_arcs = scatter_on_arcs(points, near_noise_neighbours);
+        on_arcs < shape_share * noise.scatter)
       noise.scatter = on_arcs; // the rest is shape
-  noise.slope = std::numbers::pi * noise.scatter / (std::sqrt(3.0) * noise.spacing);
-  noise.bending =
-      std::numbers::pi * std::numbers::pi * noise.scatter / (std::sqrt(5.0) * noise.spacing * noise.spacing);
+  noise.slope = slope_of(noise.scatter, noise.spacing);
+  noise.bending = bending_of(noise.scatter, noise.spacing);
+  noise.as_white = noise.scatter;
+  if (const Waves waves = waves_in(points, noise); waves.deviation > 0) {
+    noise.waves = waves.deviation;
+    noise.as_white = waves.deviation * std::sqrt(waves.spacing / noise.spacing);
+    noise.slope = std::hypot(noise.slope, slope_of(waves.deviation, waves.spacing));
+    noise.bending = std::hypot(noise.bending, bending_of(waves.deviation, waves.spacing));
+  }
   noise.pressure = steel_contact_modulus / 2 * noise.slope;
   noise.coarse = noise.spacing > coarsest_spacing;
   if (noise.pressure > least_noise_pressure && !noise.coarse)
     noise.smoothing = smoothing_for_noise *
-                      std::pow(noise.scatter * std::sqrt(noise.spacing), smoothing_for_noise_exponent);
+                      std::pow(noise.as_white * std::sqrt(noise.spacing), smoothing_for_noise_exponent);
   return noise;
 }
 

@@ -31,14 +31,20 @@ constexpr double like_tie = 1.5;
 /// 1 (share of the points). A standard on which less of a profile lies is not like it. New wheels of seven
 /// other shapes lie on S1002 by .05 to .16, S1002 worn by 2 mm on the whole tread by .33.
 constexpr double least_unworn_share = 0.25;
+/// 1. A rail whose top is worn all over is told by its flanks: this share of each of them must lie on the
+/// standard,
+constexpr double least_flanks_share = 0.5;
+/// 1. and this share of the whole head. Of a 60E1 with a trough of 2 mm and 18 mm about a place beside the
+/// middle .15 remains; heads of other widths have no place for both flanks.
+constexpr double least_share_with_flanks = 0.1;
 /// 1. On the standard from which it is worn more lies. Chosen.
 constexpr double surely_like_share = 0.5;
 /// rad. Inclinations by a standard and by symmetry that differ by more do not belong together: 1 mm off the
 /// top and .6 mm off the gauge corner move that by symmetry by 4 mrad (46E3), and 49E1 lies on 54E1 turned by
 /// 6 mrad and more.
 constexpr double symmetry_slack = 0.005;
-/// rad. A rail that is turned by this or more towards the track's centre was measured as it lies in the
-/// track: half of 1:40, the smallest inclination in use.
+/// rad. A rail that is turned by this or more was measured as it lies in the track: half of 1:40, the
+/// smallest inclination in use.
 constexpr double least_inclination = 0.0125;
 /// rad. Heads turn by 160 degrees from side to side; a running surface that turns by less is another thing.
 constexpr double least_head_turn = 1.0;
@@ -73,14 +79,15 @@ std::vector<Candidate> candidates(const ProfileCurve& curve, ProfileKind kind, s
     const std::string& name = entry.name;
     const ProfileCurve standard = standard_profile(name);
     const std::vector<UnwornPlace> places = unworn_places(standard, points, scatter);
-    if (places.empty() || places.front().share < least_unworn_share)
+    const double least_share = kind == ProfileKind::rail ? least_share_with_flanks : least_unworn_share;
+    if (places.empty() || places.front().share < least_share)
       continue;
     const NominalFit fit = fit_at(places.front().place, standard, points, scatter);
     const bool turned = kind == ProfileKind::wheel
                             ? std::abs(fit.place.angle) > largest_wheel_turn
                             : turn && std::abs(fit.place.angle - *turn) > symmetry_slack;
-    if (fit.near && !turned && fit.share >= least_unworn_share && fit.outside <= most_outside &&
-        -fit.least <= farthest_added_steel)
+    const bool lies_on = fit.share >= (fit.flanks >= least_flanks_share ? least_share : least_unworn_share);
+    if (fit.near && !turned && lies_on && fit.outside <= most_outside && -fit.least <= farthest_added_steel)
       near.push_back({name, fit, fit.added_rms + worn_share * fit.rms});
   }
   std::ranges::sort(near, {}, &Candidate::unlike);
@@ -114,23 +121,24 @@ std::optional<LikeStandard> like_standard(const ProfileCurve& curve, ProfileKind
                       near.size() > 1 && ties(near[1], near[0]) ? near[1].name : ""};
 }
 
-double rail_inclination(const ProfileCurve& rail, double scatter) {
+double rail_turn(const ProfileCurve& rail, double scatter) {
   if (rail.at(rail.s_end()).delta - rail.at(rail.s_begin()).delta < least_head_turn)
     return 0;
   const std::optional<HeadTurn> head = turn_by_symmetry(rail);
   const std::optional<double> by_symmetry = head ? std::optional(head->angle) : std::nullopt;
-  if (head && (head->whole || -head->angle < least_inclination - symmetry_slack))
-    return -head->angle >= least_inclination ? -head->angle : 0;
+  const auto as_laid = [](double turn) { return std::abs(turn) >= least_inclination ? turn : 0; };
+  if (head && (head->whole || std::abs(head->angle) < least_inclination - symmetry_slack))
+    return as_laid(head->angle);
   std::vector<Candidate> near = candidates(rail, ProfileKind::rail, by_symmetry, scatter);
   if (by_symmetry) // a standard on which most of the head lies tells more precisely
     std::erase_if(near, [](const Candidate& c) { return c.fit.share < surely_like_share; });
   const std::optional<double> by_standards = turn_by_standards(near);
   const double turn = by_standards ? *by_standards : by_symmetry.value_or(0);
-  return -turn >= least_inclination ? -turn : 0;
+  return as_laid(turn);
 }
 
-std::string inclination_text(double inclination) {
-  return fmt::format("about 1:{:.0f}", 1 / std::tan(inclination));
+std::string inclination_text(double turn) {
+  return fmt::format("about 1:{:.0f}", 1 / std::tan(std::abs(turn)));
 }
 
 } // namespace bem_contact

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -22,6 +23,8 @@ constexpr double farthest_from_nominal = 5.0;
 constexpr double farthest_rms_from_nominal = 2.0;
 /// mm. So near a point lies on the nominal profile but for its scatter.
 constexpr double lies_on_nominal = 0.02;
+/// 1 (component of the normal along y). Flanks of rails are steeper: beyond 53 degrees.
+constexpr double steep_normal = 0.8;
 /// 1. Fewer points tell no depth.
 constexpr std::size_t least_nominal_points = 20;
 /// 1 (median distances of points). Depths nearer to each other become one.
@@ -142,6 +145,7 @@ NominalFit fit_at(const NominalPlace& place, const ProfileCurve& nominal, std::s
   NominalFit fit{.place = place};
   const double lies_on = lies_on_nominal + placing_scatters * scatter;
   double squares = 0, added = 0, on_it = 0, outside = 0;
+  std::array<double, 2> steep{}, steep_on_it{};
   bool any = false;
   for (const Point2 p : points) {
     const PointOnNominal seen = seen_from(nominal, p, fit.place);
@@ -155,6 +159,10 @@ NominalFit fit_at(const NominalPlace& place, const ProfileCurve& nominal, std::s
     added += std::pow(std::min(seen.depth, 0.0), 2);
     on_it += std::abs(seen.depth) < lies_on;
     outside += seen.depth < -lies_on;
+    if (std::abs(seen.normal.y) > steep_normal) {
+      ++steep[seen.normal.y > 0];
+      steep_on_it[seen.normal.y > 0] += std::abs(seen.depth) < lies_on;
+    }
     any = true;
   }
   const std::size_t on = points.size() - fit.beyond;
@@ -162,6 +170,8 @@ NominalFit fit_at(const NominalPlace& place, const ProfileCurve& nominal, std::s
   fit.added_rms = any ? std::sqrt(added / static_cast<double>(on)) : 0;
   fit.share = on_it / static_cast<double>(points.size());
   fit.outside = outside / static_cast<double>(points.size());
+  if (steep[0] > 0 && steep[1] > 0)
+    fit.flanks = std::min(steep_on_it[0] / steep[0], steep_on_it[1] / steep[1]);
   fit.near = 2 * fit.beyond <= points.size() && on >= least_nominal_points &&
              std::max(-fit.least, fit.largest) <= farthest_from_nominal &&
              fit.rms <= farthest_rms_from_nominal;

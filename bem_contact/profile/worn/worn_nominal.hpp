@@ -21,7 +21,7 @@ struct WornNominal {
   double rms_depth = 0;     ///< root mean square, mm
   double shortest_wave = 0, longest_wave = 0; ///< range of the shortest wavelength kept, mm
   double removed_rms = 0, removed_most = 0;   ///< of the measured depths by smoothing, mm
-  std::string doubt = {}; ///< why it is hardly worn from that profile (not_worn_from()); "": it may be
+  std::string doubt = {}; ///< why that profile does not fit (not_worn_from()); "": it does
 };
 
 /// Points are in the frame and order of ProfileCurve. `smoothing` is the shortest wavelength of the depth
@@ -40,12 +40,13 @@ struct NominalFit {
   double added_rms = 0;                   ///< root mean square of the depths below 0: of steel outside it, mm
   double share = 0;                       ///< of the points that lie on it but for their scatter
   double outside = 0;                     ///< share of the points that lie outside it by more than that
-  std::size_t beyond = 0;                 ///< points beyond its ends
+  double flanks = 0;      ///< share of those on its steep parts that lie on it, on the side where it is less
+  std::size_t beyond = 0; ///< points beyond its ends
   /// The points may be those of this profile, worn: they lie near it, and most of them not beyond its ends.
   bool near = false;
 };
 
-/// Why points that lie so on a nominal profile are hardly worn from it: too many of them lie outside, or a
+/// Why points that lie so on a nominal profile can hardly be worn from it: too many of them lie outside, or a
 /// wheel is turned; "": they may be.
 std::string not_worn_from(const ProfileCurve& nominal, const NominalFit& fit);
 

@@ -49,6 +49,7 @@ class Result(_Numbers):
     def save(self, file: str | PathLike[str]) -> None: ...
     def report(self, page: str | PathLike[str]) -> None: ...
     def plot(self, picture: str | PathLike[str] | None = None) -> Any: ...
+    def _repr_html_(self) -> str: ...
 
 class Sequence:
     def __init__(
@@ -90,6 +91,7 @@ class Sweep(dict[str, Any]):
 
     def to_frame(self, rows: Literal["cases", "patches"] = "cases") -> Any:
         """A DataFrame of pandas: one row for each case, or for each patch. InputError where pandas is missing."""
+    def _repr_html_(self) -> str: ...
 
 def sweep(
     scene: _Scene,
@@ -116,7 +118,9 @@ def profile(
 class Profile(PathLike[str]):
     """A profile of your own, for wherever a profile file or a standard's name goes."""
 
+    kind: Literal["rail", "wheel"]
     def __init__(self, y: _List[float] | NDArray[Any], z: _List[float] | NDArray[Any], kind: Literal["rail", "wheel"]) -> None: ...
+    def __fspath__(self) -> str: ...
 
 def standards() -> list[dict[str, Any]]:
     """All profiles of standards that are built in: "name", "kind", "part", "standard", "other_names", "remark" of each."""

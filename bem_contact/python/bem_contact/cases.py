@@ -1,5 +1,6 @@
 """The cases of a sweep, as columns."""
 
+from .notebook import sweep_html
 from .plotting.refusals import require_module
 
 
@@ -15,3 +16,6 @@ class Sweep(dict):
         if rows == "cases":
             return pandas.DataFrame({name: column for name, column in self.items() if name != "patches"})
         return pandas.DataFrame(self[rows])
+
+    def _repr_html_(self):
+        return sweep_html(self)

@@ -4,6 +4,7 @@ import hashlib
 import tempfile
 from os import PathLike, path
 
+_plain_names = {}  # {file: what it holds}
 _folder = None  # of the files of this process; they are removed when it ends
 
 
@@ -18,6 +19,13 @@ def _file(text, kind):
         with open(file, "w", encoding="ascii") as out:
             out.write(text)
     return file
+
+
+def in_plain_names(text):
+    """A message with the arrays for their files."""
+    for file, name in list(_plain_names.items()):
+        text = text.replace(file, name)
+    return text
 
 
 class Profile(PathLike):
@@ -47,6 +55,7 @@ class Profile(PathLike):
             raise InputError(f"The points of this profile cannot be used (there are {len(y)} y and {len(z)} z) Give one of each for each point.")
         self.kind = kind
         self._path = _file("".join(f"{a!r} {b!r}\n" for a, b in zip(y, z)), kind)
+        _plain_names[self._path] = f"the array of a {kind} ({len(y)} points)"
 
     def __fspath__(self):
         return self._path

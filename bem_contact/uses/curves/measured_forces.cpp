@@ -44,6 +44,10 @@ MeasuredForces read_measured_forces(const std::filesystem::path& file) {
     out.measured.push_back(row[1]);
     if (scatter)
       out.scatter.push_back(row[2]);
+    if (scatter && row[2] < 0)
+      throw InputError(fmt::format("The table '{}' has a scatter of {:g} in its row {}", file.string(),
+                                   row[2], out.scatter.size()),
+                       "a standard deviation is not below 0", "Correct it, or leave out the column scatter.");
   }
   return out;
 }
