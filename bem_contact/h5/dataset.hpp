@@ -2,6 +2,7 @@
 
 #include "bem_contact/h5/handle.hpp"
 
+#include <cstddef>
 #include <string>
 
 /// Private to this room: the only way to open a dataset.
@@ -16,6 +17,10 @@ namespace bem_contact {
 /// - has a chunk that is not stored, or not as long as chunk and checksum are. HDF5 (1.10 and 1.14) subtracts
 ///   the length of the checksum unchecked and reads beyond the end of a short chunk.
 H5Handle open_dataset(H5Id at, const std::string& path);
+
+/// Bytes. More than so much is not read of one file, or 1 MB might fill the memory: what is deflated takes up
+/// to a thousand times as much here.
+std::size_t most_inflated(H5Id object);
 
 /// Whether HDF5 finds out that a bit of the numbers has changed: they lie in the header, which has a checksum
 /// in files of ours, or each chunk has one.

@@ -5,6 +5,7 @@
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/profile/worn/like_standard.hpp"
@@ -193,10 +194,10 @@ ExitCode run_on(const ProfileArguments& arguments) {
                       described_profile(arguments.on, kind, arguments.reading), arguments.step);
   if (!arguments.csv.empty())
     write_whole(arguments.csv, [&](std::ostream& out) { out << profile_csv(placed.points, placed.depth); });
-  fmt::print("{} on the unworn part of {}: moved by {:.3f} mm along y and {:.3f} mm along z and turned by "
-             "{:.3f} degrees\n",
-             arguments.name, std::filesystem::path(arguments.on).filename().string(), placed.place.shift.y,
-             placed.place.shift.z, degrees(placed.place.angle));
+  print_out("{} on the unworn part of {}: moved by {:.3f} mm along y and {:.3f} mm along z and turned by "
+            "{:.3f} degrees\n",
+            arguments.name, std::filesystem::path(arguments.on).filename().string(), placed.place.shift.y,
+            placed.place.shift.z, degrees(placed.place.angle));
   return success;
 }
 
@@ -220,9 +221,9 @@ std::string fit_text(const ProfileArguments& arguments, const MeasuredProfile& p
 ExitCode run(ProfileArguments arguments) {
   if (arguments.list) {
     if (!arguments.name.empty()) // for scripts: which standard is it?
-      fmt::print("{}\n", standard_profile(arguments.name).name());
+      print_out("{}\n", standard_profile(arguments.name).name());
     else
-      fmt::print("{}", standards_text());
+      print_out("{}", standards_text());
     return success;
   }
   if (arguments.name.empty())
@@ -251,7 +252,7 @@ ExitCode run(ProfileArguments arguments) {
   if (!arguments.plot.empty())
     report::write_profile_page(std::filesystem::path(arguments.name).filename(), words,
                                drawn_profiles(arguments, profile, like, kind), arguments.plot);
-  fmt::print("{}{}", words, arguments.against.empty() ? "" : fit_text(arguments, profile, kind));
+  print_out("{}{}", words, arguments.against.empty() ? "" : fit_text(arguments, profile, kind));
   return success;
 }
 

@@ -103,15 +103,29 @@ private:
 
 } // namespace
 
+std::vector<std::filesystem::path> files_of_parts(const std::vector<std::filesystem::path>& names) {
+  namespace fs = std::filesystem;
+  std::vector<fs::path> out;
+  for (const fs::path& name : names) {
+    std::error_code failed;
+    if (!fs::is_directory(name, failed)) {
+      out.push_back(name);
+      continue;
+    }
+    for (fs::directory_iterator at(name, failed), end; !failed && at != end; at.increment(failed))
+      if (at->path().extension() == ".h5" && is_regular(at->path()))
+        out.push_back(at->path());
+    if (failed)
+      throw InputError(fmt::format("The folder '{}' of --join cannot be read", name.string()),
+                       failed.message(), "Look at its rights, or name the parts.");
+  }
+  return out;
+}
+
 std::vector<SweepPart> read_parts(const AskedSweep& asked, const std::vector<std::filesystem::path>& names) {
   std::vector<SweepPart> parts;
-  for (const std::filesystem::path& name : names)
-    if (!std::filesystem::is_directory(name))
-      parts.push_back(read_part(asked, name));
-    else
-      for (const auto& entry : std::filesystem::directory_iterator(name))
-        if (entry.path().extension() == ".h5" && is_regular(entry.path()))
-          parts.push_back(read_part(asked, entry.path()));
+  for (const std::filesystem::path& file : files_of_parts(names))
+    parts.push_back(read_part(asked, file));
   std::ranges::sort(parts, {}, [](const SweepPart& part) { return part.cases.first; });
   for (std::size_t k = 1; k < parts.size(); ++k)
     if (parts[k].cases.first < parts[k - 1].cases.last)

@@ -9,6 +9,10 @@
 
 namespace bem_contact::app {
 
+/// The names of parts, with all files NAME.h5 of a folder in its place. Throws InputError for one that cannot
+/// be read.
+std::vector<std::filesystem::path> files_of_parts(const std::vector<std::filesystem::path>& names);
+
 /// Parts in the order of the sweep; a folder stands for all its files NAME.h5. Throws InputError for a file
 /// that is no part of this sweep, and where two parts have the same case.
 std::vector<SweepPart> read_parts(const AskedSweep& asked, const std::vector<std::filesystem::path>& names);

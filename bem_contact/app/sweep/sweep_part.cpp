@@ -89,6 +89,10 @@ CaseRange cases_in(const AskedSweep& asked, const std::filesystem::path& file, c
 
 } // namespace
 
+bool is_part_of_sweep(const std::filesystem::path& file) {
+  return record::format_of(file) == sweep_part_format;
+}
+
 CaseRange cases_in_part(const AskedSweep& asked, const std::filesystem::path& file) {
   return cases_in(asked, file, H5Reader(file));
 }
