@@ -147,6 +147,10 @@ std::filesystem::path TemporaryFolder::write(const std::filesystem::path& name,
   if (name.is_absolute() || std::ranges::find(name, "..") != name.end())
     throw InputError(fmt::format("'{}' cannot be the name of a copy", name.string()),
                      "it leads out of the folder of the copies", "Copy the file that names it again.");
+  constexpr std::size_t longest_name = 255; // NAME_MAX
+  if (std::ranges::any_of(name, [&](const auto& part) { return part.string().size() > longest_name; }))
+    throw InputError(fmt::format("'{}' cannot be the name of a copy", name.string()), "it is too long",
+                     "Copy the file that names it again.");
   std::filesystem::path file = path_ / name;
   std::error_code problem;
   std::filesystem::create_directories(file.parent_path(), problem);

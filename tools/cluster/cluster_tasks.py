@@ -18,13 +18,13 @@ class ConfigError(Exception):
 def is_safe(name):
     """Whether Snakemake can hand a name on. It takes braces as wildcards, and writes names into scripts of the shell as Python
     writes texts: in single quotes, but in double ones if they hold a single quote."""
-    return bool(name) and not re.search(r"[{}\\\n]", name) and not ("'" in name and re.search(r'["$`]', name))
+    return bool(name) and not name.startswith("-") and not re.search(r"[{}\\\n]", name) and not ("'" in name and re.search(r'["$`]', name))
 
 
 def require_safe(name):
     if not is_safe(name):
-        raise ConfigError(f"The name {name!r} cannot be handed to Snakemake (it is empty, or has a brace, a backslash, or a "
-                          "single quote beside a double quote, $ or `) Rename the file.")
+        raise ConfigError(f"The name {name!r} cannot be handed to Snakemake (it is empty, begins with -, or has a brace, a backslash, "
+                          "or a single quote beside a double quote, $ or `) Rename the file.")
     return name
 
 
@@ -112,7 +112,7 @@ class Plan:
     def __init__(self, text, source, cluster_folder):
         self.source = source
         given = self.parse(text)
-        self.tries = given.pop("tries", 2)
+        self.tries = self.number_of_tries(given.pop("tries", 2))
         self.programs = self.folder_of_programs(given.pop("programs", ""), Path(cluster_folder))
         self.bem_contact = str(Path(self.programs) / "bem_contact")
         self.bodies_are_there = ".snakemake/bodies_are_there"
@@ -134,6 +134,11 @@ class Plan:
             return tomllib.loads(text)
         except tomllib.TOMLDecodeError as error:
             self.refuse(str(error), "the file is not valid TOML", "Correct the line.")
+
+    def number_of_tries(self, given):
+        if not isinstance(given, int) or isinstance(given, bool) or not 0 <= given <= 100:
+            self.refuse(f"tries cannot be {given!r}", "it is a whole number from 0 to 100", "Correct it.")
+        return given
 
     def folder_of_programs(self, given, cluster_folder):
         """As the file says; or CONFORMAL_BIN, this project's own build, the programs of this installed tree, the PATH."""
@@ -214,12 +219,19 @@ class Plan:
         done = subprocess.run([self.bem_contact, "sweep", scene, "--count"], capture_output=True, text=True)
         if done.returncode != 0:
             raise ConfigError(f"{self.source}: the sweep '{scene}' cannot be done:\n{done.stderr.strip()}")
+        if not done.stdout.strip().isdigit():
+            self.refuse(f"the sweep '{scene}' has no number of cases", f"bem_contact sweep --count said {done.stdout[:60]!r}",
+                        "Call it alone to see why.")
         return int(done.stdout)
 
     def require_distinct(self):
         seen = set()
+        tasks = self.sweeps + self.wear + self.studies + self.tables
+        read = {os.path.realpath(name) for name in [task.scene for task in tasks] + [body.file for body in self.bodies]}
         for result in self.results():
             place = os.path.abspath(result)
+            if os.path.realpath(result) in read:
+                self.refuse(f"'{result}' would be replaced", "a task reads it", "Give the output another name.")
             if place in seen:
                 self.refuse(f"two tasks write '{result}'", "one would replace the other's", "Give each its own name.")
             seen.add(place)

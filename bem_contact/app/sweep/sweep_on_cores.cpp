@@ -55,9 +55,12 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   std::error_code failed;
   for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed))
     out.push_back(at->path());
-  if (failed)
+  if (failed == std::errc::permission_denied)
     throw InputError(fmt::format("The folder '{}' cannot be read", folder.string()), failed.message(),
                      "Look at its rights, or give another output.");
+  if (failed)
+    throw Error(fmt::format("The folder '{}' cannot be read", folder.string()), failed.message(),
+                "Look at the disk and at the limits of this process (ulimit -n).");
   return out;
 }
 
