@@ -3,6 +3,8 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/interrupt_note.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/printable.hpp"
+#include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/profile/bodies/body_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "fem_influence/harmonic/harmonic_run.hpp"
@@ -20,8 +22,7 @@ namespace bem_contact::fem {
 namespace {
 
 void print(const RunReport& report, const std::string& output) {
-  fmt::print(
-      stderr,
+  print_error(
       "{}: {} stations, {} wavenumbers and {} of the companion ({} from an earlier run), {} cells, {} "
       "unknowns\n"
       "  {:.1f} s on {} process(es), at most {:.2f} GiB each; all processes together: assembly {:.1f} s, "
@@ -32,10 +33,10 @@ void print(const RunReport& report, const std::string& output) {
       report.timing.analysis, report.timing.factorization, report.betti_error, report.reaction_error,
       report.smallest_eigenvalue);
   if (report.companion_wavenumbers > 0)
-    fmt::print(stderr, "  estimated error {:.1e} of the number itself (mesh {:.1e}, wavenumbers {:.1e})\n",
-               report.error.total, report.error.mesh, report.error.samples);
+    print_error("  estimated error {:.1e} of the number itself (mesh {:.1e}, wavenumbers {:.1e})\n",
+                report.error.total, report.error.mesh, report.error.samples);
   else
-    fmt::print(stderr, "  the error was not estimated (degree 1 has no companion)\n");
+    print_error("  the error was not estimated (degree 1 has no companion)\n");
 }
 
 } // namespace
@@ -47,6 +48,7 @@ void harmonic_command(const std::string& body_file, const std::string& mesh, con
     body = read_body_file(body_file);
     require_outputs({body_file, profile_file_of(*body), mesh},
                     {{"--output", output, OutputForm::whole_file}});
+    require_replaceable_influence(output);
     curve = body_profile(*body);
   });
   ProgressBar bar(fmt::format("{} stations, wavenumbers", body->strip.stations()));

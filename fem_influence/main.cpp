@@ -1,8 +1,10 @@
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/base/program.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/base/said_by.hpp"
+#include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/profile/message_sink.hpp"
 #include "fem_influence/commands.hpp"
 #include "fem_influence/shared/parallel.hpp"
@@ -15,6 +17,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -40,6 +43,16 @@ void choose_transport() {
   const char *all = std::getenv("OMPI_COMM_WORLD_SIZE"), *here = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
   if ((!all && !here) || (all && here && std::string_view(all) == here))
     ::setenv("OMPI_MCA_pml", "ob1", 0);
+}
+
+/// A process alone makes OpenMPI's folder of sessions itself, and OpenMPI leaves it behind at Ctrl-C. Ours is
+/// removed (base/temporary_folder.hpp), with what is in it; mpirun removes its own.
+std::optional<TemporaryFolder> folder_of_sessions() {
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMIX_RANK"))
+    return std::nullopt;
+  std::optional<TemporaryFolder> folder(std::in_place);
+  ::setenv("TMPDIR", folder->path().c_str(), 1);
+  return folder;
 }
 
 constexpr const char* description =
@@ -119,12 +132,13 @@ int run_program(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return exit_code_of(app, error);
   } catch (const InputError& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+    print_error("error: {}\n", error.what());
     return 2;
   }
 
   use_one_blas_thread();
   choose_transport();
+  const std::optional<TemporaryFolder> sessions = folder_of_sessions();
   MPI_Init(&argc, &argv);
   const auto messages = install_message_sink();
   if (fem::process_rank() != 0)
@@ -136,10 +150,10 @@ int run_program(int argc, char** argv) {
   } catch (const fem::OtherProcessFailed&) {
     code = 2;
   } catch (const InputError& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+    print_error("error: {}\n", error.what());
     code = 2;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}\n", said_by(error));
+    print_error("error: {}\n", said_by(error));
     code = 1;
   }
   MPI_Finalize();

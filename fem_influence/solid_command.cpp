@@ -2,7 +2,9 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/influence/expand.hpp"
+#include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/profile/bodies/body_file.hpp"
@@ -82,8 +84,8 @@ double mesh_error(const BodyFile& body, const ProfileCurve& curve, const std::fi
 
 void print_check(const std::vector<SolidDifference>& bands) {
   constexpr const char* name = "xsn";
-  fmt::print("{:<16}{:>9}  largest of self and of local, %; then each component of local, %\n", "distance",
-             "elements");
+  print_out("{:<16}{:>9}  largest of self and of local, %; then each component of local, %\n", "distance",
+            "elements");
   for (const auto& band : bands) {
     if (band.elements == 0)
       continue;
@@ -95,9 +97,9 @@ void print_check(const std::vector<SolidDifference>& bands) {
         local = std::max(local, band.of_local[i][j]);
         each += fmt::format(" {}{} {:.3f}", name[i], name[j], 100 * band.of_local[i][j]);
       }
-    fmt::print("{:<16}{:>9}  {:.3f} {:.3f} {}\n",
-               band.up_to == 0 ? "loaded element" : fmt::format("to {} mm", band.up_to), band.elements,
-               100 * self, 100 * local, each);
+    print_out("{:<16}{:>9}  {:.3f} {:.3f} {}\n",
+              band.up_to == 0 ? "loaded element" : fmt::format("to {} mm", band.up_to), band.elements,
+              100 * self, 100 * local, each);
   }
 }
 
@@ -113,9 +115,9 @@ void write_table(const BodyFile& body, const ProfileCurve& curve, const std::str
   InfluenceFunction function = as_table(body, curve, numbers);
   function.estimated_error = mesh_error(body, curve, mesh, numbers);
   write_influence_file(output, function);
-  fmt::print(stderr, "{}: table of {} offsets, Maxwell-Betti between meshes {:.1e}, estimated error {}\n",
-             output, numbers.offsets, function.betti_error,
-             function.estimated_error < 0 ? "none" : fmt::format("{:.1e}", function.estimated_error));
+  print_error("{}: table of {} offsets, Maxwell-Betti between meshes {:.1e}, estimated error {}\n", output,
+              numbers.offsets, function.betti_error,
+              function.estimated_error < 0 ? "none" : fmt::format("{:.1e}", function.estimated_error));
 }
 
 void compare_with(const std::string& file, const BodyFile& body, const ProfileCurve& curve,
@@ -126,7 +128,7 @@ void compare_with(const std::string& file, const BodyFile& body, const ProfileCu
   const InfluenceNumbers reference = expand(
       function, {.dx = numbers.dx, .offsets = numbers.offsets, .structural = StructuralCompliance::included});
   for (const bool removed : {false, true}) {
-    fmt::print("{}\n", removed ? "rigid motion of the differences removed:" : "as computed:");
+    print_out("{}\n", removed ? "rigid motion of the differences removed:" : "as computed:");
     print_check(compare(numbers, reference, function.reference_radius, removed));
   }
 }
@@ -136,6 +138,8 @@ void compare_with(const std::string& file, const BodyFile& body, const ProfileCu
 void solid_command(const std::string& body_file, const std::string& mesh, const SolidOptions& options) {
   const BodyFile body = read_body_file(body_file);
   check_files({body_file, profile_file_of(body), mesh, options.check}, options);
+  if (!options.output.empty())
+    require_replaceable_influence(options.output);
   const ProfileCurve curve = body_profile(body);
   require_mesh_of(body, curve, mesh);
   const std::size_t stations = make_stations(body.strip, curve).size();
@@ -153,11 +157,11 @@ void solid_command(const std::string& body_file, const std::string& mesh, const 
                      .field = {options.vtu, chosen.front(), options.component},
                      .progress = [&](std::size_t done, std::size_t all) { bar.show(done, all); }});
   const SolidReport& report = numbers.report;
-  fmt::print(stderr, "{}: {} cells, {} unknowns, {:.1f} s, {:.2f} GiB, Maxwell-Betti {:.1e}\n", mesh,
-             report.cells, report.unknowns, report.seconds, report.peak_memory, report.betti_error);
+  print_error("{}: {} cells, {} unknowns, {:.1f} s, {:.2f} GiB, Maxwell-Betti {:.1e}\n", mesh, report.cells,
+              report.unknowns, report.seconds, report.peak_memory, report.betti_error);
   if (!options.vtu.empty())
-    fmt::print(stderr, "{}: field displacement_mm under 1 MPa along {} on station {}, half of the body\n",
-               options.vtu, "xsn"[options.component], chosen.front());
+    print_error("{}: field displacement_mm under 1 MPa along {} on station {}, half of the body\n",
+                options.vtu, "xsn"[options.component], chosen.front());
   if (!options.output.empty())
     write_table(body, curve, mesh, numbers, options.output);
   if (!options.check.empty())

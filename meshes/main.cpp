@@ -1,6 +1,7 @@
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/base/program.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/base/said_by.hpp"
@@ -65,8 +66,9 @@ void print_quality(std::FILE* words, const meshes::QuadMesh& mesh, const meshes:
 int run(const std::string& body_file, const std::string& output, bool solid, bool report) {
   const BodyFile body = read_body_file(body_file);
   require_outputs({body_file, profile_file_of(body)}, {{"--output", output}});
+  meshes::require_replaceable_mesh(output);
   for (const std::string& warning : body_warnings(body))
-    fmt::print(stderr, "warning: {}\n", warning);
+    print_error("warning: {}\n", warning);
   std::optional<meshes::SolidMesh> whole;
   const meshes::QuadMesh mesh = [&] {
     const meshes::Heartbeat heartbeat("meshing " + body.body.name,
@@ -80,12 +82,11 @@ int run(const std::string& body_file, const std::string& output, bool solid, boo
   solid ? meshes::write_msh(*whole, output) : meshes::write_msh(mesh, output);
   const meshes::Quality quality = meshes::quality(mesh);
   if (quality.smallest < meshes::poor_quality)
-    fmt::print(stderr,
-               "warning: the smallest scaled Jacobian is {:.3f} (below {} near y = {:.3f}, z = {:.3f} mm) "
-               "Lower [mesh] grading or move the strip's ends.\n",
-               quality.smallest, meshes::poor_quality, quality.worst.y, quality.worst.z);
+    print_error("warning: the smallest scaled Jacobian is {:.3f} (below {} near y = {:.3f}, z = {:.3f} mm) "
+                "Lower [mesh] grading or move the strip's ends.\n",
+                quality.smallest, meshes::poor_quality, quality.worst.y, quality.worst.z);
   if (!mesh.note.empty())
-    fmt::print(stderr, "{}\n", mesh.note);
+    print_error("{}\n", mesh.note);
   // Standard output is the mesh's if it goes there.
   std::FILE* words = output_target(output, OutputForm::text).stream ? stderr : stdout;
   if (solid)
@@ -113,7 +114,7 @@ int run_program(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (print_default) {
-      fmt::print("{}", default_body_file());
+      print_out("{}", default_body_file());
       return 0;
     }
     if (body_file.empty() || output.empty())
@@ -122,10 +123,10 @@ int run_program(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return exit_code_of(app, error);
   } catch (const InputError& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+    print_error("error: {}\n", error.what());
     return 2;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}\n", said_by(error));
+    print_error("error: {}\n", said_by(error));
     return 1;
   }
 }

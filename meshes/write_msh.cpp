@@ -1,13 +1,17 @@
 #include "meshes/write_msh.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/sha256.hpp"
 #include "meshes/gmsh_session.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <string>
 #include <string_view>
@@ -136,21 +140,27 @@ bool add_curved_edges(const SolidMesh& mesh, const std::filesystem::path& file) 
   return add_curved_edges(mesh.section, file);
 }
 
-/// Says which body file the mesh belongs to; false when the disk is full.
+/// Says which body file the mesh belongs to, and the SHA-256 of all before it; false when the disk is full.
 bool add_comment(const std::string& body_digest, const std::filesystem::path& file) {
   if (body_digest.empty())
     return true;
+  const std::string digest = sha256_of_file(file.string());
   std::ofstream out(file, std::ios::app);
-  out << "$Comments\nbody file " << body_digest << "\n$EndComments\n" << std::flush;
+  out << "$Comments\nbody file " << body_digest << " sha256 " << digest << "\n$EndComments\n" << std::flush;
   return out.good();
+}
+
+std::filesystem::path temporary_mesh() {
+  std::error_code none;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(none);
+  return (none ? std::filesystem::path(".") : folder) / "mesh_body";
 }
 
 /// Gmsh makes a file of its own, which is renamed when complete, or copied into a device or a pipe.
 template <class Mesh> void write_checked(const Mesh& mesh, const std::filesystem::path& output) {
   const OutputTarget target = output_target(output, OutputForm::text);
   // Gmsh tells the format by the name's end.
-  const WholeFile whole(target.stream ? std::filesystem::temp_directory_path() / "mesh_body" : target.file,
-                        ".msh");
+  const WholeFile whole(target.stream ? temporary_mesh() : target.file, ".msh");
   const std::filesystem::path& file = whole.temporary();
   write_with_gmsh(mesh, file.string());
   if (!is_whole(file) || !add_curved_edges(mesh, file) || !add_comment(mesh.body_digest, file))
@@ -163,6 +173,20 @@ template <class Mesh> void write_checked(const Mesh& mesh, const std::filesystem
 }
 
 } // namespace
+
+/// The last bytes of a mesh of mesh_body have its mark; a file without it is somebody else's.
+void require_replaceable_mesh(const std::filesystem::path& file) {
+  constexpr std::streamoff tail = 200;
+  std::error_code unknown;
+  if (!is_regular(file) || std::filesystem::file_size(file, unknown) == 0)
+    return;
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  in.seekg(std::max<std::streamoff>(0, static_cast<std::streamoff>(in.tellg()) - tail));
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (text.find("$Comments\nbody file ") == std::string::npos)
+    throw InputError(fmt::format("The file '{}' exists and would be replaced", file.string()),
+                     "it is no mesh of mesh_body", "Give the mesh another name, or move this file.");
+}
 
 void write_msh(const QuadMesh& mesh, const std::filesystem::path& file) {
   write_checked(mesh, file);

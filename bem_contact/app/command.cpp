@@ -39,6 +39,11 @@ void add_json(CLI::App& line, bool& json) {
 void refuse_odd_numbers(CLI::App& line) {
   for (CLI::Option* option : line.get_options()) {
     const std::string type = option->get_type_name();
+    if (option->get_expected_max() > 0 && option->get_type_size_max() > 0)
+      option->check([](const std::string& text) {
+        return text.empty() ? std::string("it has an empty value, as of a variable that was not set")
+                            : std::string();
+      });
     if (type.starts_with(CLI::detail::type_name<double>()))
       option->check([](const std::string& text) {
         double number = 0;

@@ -28,8 +28,8 @@ void add_jobs(CLI::App& line, int& jobs);             ///< --jobs
 void add_output(CLI::App& line, std::string& output); ///< --output, of a result file
 void add_json(CLI::App& line, bool& json);            ///< --json
 
-/// Refuses nan and inf where an option of this command takes a number, and a number below 0 where it counts:
-/// the library reads both without a word. Comes after all options.
+/// Refuses empty values, nan and inf where an option of this command takes a number, and a number below 0
+/// where it counts: the library reads both without a word. Comes after all options.
 void refuse_odd_numbers(CLI::App& line);
 
 /// Prints each on the error output.

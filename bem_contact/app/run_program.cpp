@@ -5,6 +5,7 @@
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/base/said_by.hpp"
 #include "bem_contact/profile/message_sink.hpp"
@@ -56,7 +57,7 @@ void refuse_unknown_command(const CLI::App& cli, const std::string& word) {
 /// The command that the line asks for, or --print-default, or the help.
 ExitCode run(const CLI::App& cli, const std::vector<Command>& added, bool print_default) {
   if (print_default) {
-    fmt::print("{}", default_scene_file());
+    print_out("{}", default_scene_file());
     return success;
   }
   for (const Command& command : added)
@@ -64,7 +65,7 @@ ExitCode run(const CLI::App& cli, const std::vector<Command>& added, bool print_
       take_options_of_scene(command, added);
       return command.run();
     }
-  fmt::print(stderr, "{}", cli.help());
+  print_error("{}", cli.help());
   return wrong_input;
 }
 

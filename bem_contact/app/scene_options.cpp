@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <optional>
 
 namespace bem_contact::app {
 
@@ -109,7 +110,7 @@ void take_options_of_scene(const Command& command, const std::vector<Command>& a
     return;
   toml::table root;
   try {
-    root = toml::parse(read_text_file(file, "scene file"), file);
+    root = parse_toml(read_text_file(file, "scene file"), file);
   } catch (const toml::parse_error&) { // whoever reads the scene says what is wrong
     return;
   }
@@ -119,6 +120,20 @@ void take_options_of_scene(const Command& command, const std::vector<Command>& a
     if (values && std::ranges::count(read_elsewhere, table) == 0)
       take_table(*one.line, *values, file, one.line == command.line);
   }
+}
+
+void require_repeated_program(const SceneText& scene, const char* table, const char* key,
+                              const std::string& repeated) {
+  std::optional<std::string> named;
+  try {
+    named = parse_toml(scene.toml, scene.source)[table][key].value<std::string>();
+  } catch (const toml::parse_error&) { // whoever reads the scene says what is wrong
+  }
+  if (named && *named != repeated)
+    throw InputError(
+        fmt::format("The scene names the program '{}' in {}.{}", *named, table, key),
+        "a scene may be anybody's, and starts no program that you do not name yourself",
+        fmt::format("Give --influence '{}' if it shall be started, or leave the key out.", *named));
 }
 
 } // namespace bem_contact::app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/app/command.hpp"
+#include "bem_contact/scene/scene_text.hpp"
 
 #include <string>
 #include <vector>
@@ -15,5 +16,10 @@ std::string table_name(std::string command);
 /// refuses, and for a key in the table of any command of `all` that neither is one of its options nor has
 /// another meaning in a scene.
 void take_options_of_scene(const Command& command, const std::vector<Command>& all);
+
+/// A scene may be anybody's, and must not start any program of this machine. Throws InputError where it names
+/// one in `table`.`key` that the command line does not name, too (`repeated`, of the option --influence).
+void require_repeated_program(const SceneText& scene, const char* table, const char* key,
+                              const std::string& repeated);
 
 } // namespace bem_contact::app

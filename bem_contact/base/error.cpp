@@ -1,5 +1,7 @@
 #include "bem_contact/base/error.hpp"
 
+#include "bem_contact/base/printable.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <numeric>
@@ -18,34 +20,6 @@ std::string lower(std::string_view word) {
 constexpr std::size_t longest_value = 200, value_begin = 90, value_end = 60;
 /// The same of a whole message, for values that do not look like one.
 constexpr std::size_t longest_message = 4000, message_begin = 2500, message_end = 1000;
-
-/// How many bytes the character at the front takes in UTF-8; 0 where there is none.
-std::size_t character_length(std::string_view text) {
-  const auto first = static_cast<unsigned char>(text.front());
-  const std::size_t length = first < 0x80 ? 1 : first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
-  if (length == 0 || first > 0xf4 || text.size() < length)
-    return 0;
-  const auto is_rest = [](unsigned char c) { return (c & 0xc0) == 0x80; };
-  if (!std::ranges::all_of(text.substr(1, length - 1), is_rest))
-    return 0;
-  const auto second = static_cast<unsigned char>(length > 1 ? text[1] : 0);
-  const bool other = (first == 0xe0 && second < 0xa0) ||
-                     (first == 0xed && second > 0x9f) || // half a character
-                     (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f);
-  return other ? 0 : length;
-}
-
-/// A message quotes what is wrong. At the character NUL what() would end, and Python and JSON take nothing
-/// but UTF-8.
-std::string readable(std::string_view text) {
-  std::string out;
-  while (!text.empty()) {
-    const std::size_t length = text.front() == '\0' ? 0 : character_length(text);
-    length > 0 ? out.append(text.substr(0, length)) : out.append(1, '?');
-    text.remove_prefix(std::max<std::size_t>(length, 1));
-  }
-  return out;
-}
 
 /// The text without its middle, between two characters, where it is longer than `longest`.
 std::string without_middle(std::string_view text, std::size_t longest, std::size_t begin, std::size_t end) {
@@ -105,7 +79,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 Error::Error(std::string_view problem, std::string_view why, std::string_view what_to_do)
     : std::runtime_error(without_long_values(
-          readable(std::string(problem).append(" (").append(why).append(") ").append(what_to_do)))) {}
+          printable(std::string(problem).append(" (").append(why).append(") ").append(what_to_do)))) {}
 
 std::vector<std::string> nearest_names(std::string_view word, std::span<const std::string> candidates,
                                        std::size_t most) {

@@ -31,6 +31,14 @@ bool is_named(int handle, const std::filesystem::path& file) {
          open.st_ino == named.st_ino;
 }
 
+/// A lock of ours is empty. It is removed at the end, and so must not be the file of somebody else.
+void require_empty(int handle, const std::filesystem::path& file) {
+  struct stat open {};
+  if (fstat(handle, &open) != 0 || !S_ISREG(open.st_mode) || open.st_size > 0)
+    throw InputError(fmt::format("The file '{}' is no lock", file.string()),
+                     "a lock is an empty file, and this one would be removed", "Give it another name.");
+}
+
 } // namespace
 
 std::string lock_file(int handle, const std::filesystem::path& file, std::string_view if_in_use) {
@@ -59,6 +67,7 @@ LockFile::LockFile(std::filesystem::path file, std::string_view if_in_use) : fil
       throw InputError(fmt::format("The file '{}' cannot be made", file_.string()), std::strerror(errno),
                        "Give a folder in which you may write.");
     try {
+      require_empty(handle_, file_);
       warning_ = lock_file(handle_, file_, if_in_use);
     } catch (...) {
       close(handle_);

@@ -58,8 +58,10 @@ std::string read_text_file(const std::string& file, std::string_view what, std::
     if (size > most)
       refuse(file, what, fmt::format("it has more than {} bytes", most), "Name a smaller file.");
   };
+  std::error_code unknown;
   if (is_regular(file)) // a gigabyte is not read for nothing; of a pipe only reading tells
-    require_size(std::filesystem::file_size(file));
+    if (const std::uintmax_t size = std::filesystem::file_size(file, unknown); !unknown)
+      require_size(size);
   constexpr std::size_t piece = 1 << 16;
   std::string text;
   for (std::size_t size = 0; in; text.resize(size)) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <atomic>
+#include <csignal>
 #include <cstring>
 
 namespace bem_contact {
@@ -16,12 +17,15 @@ namespace {
 std::array<std::array<char, 1000>, 2> notes;
 std::atomic<const char*> current = nullptr;
 pid_t owner = 0;
+struct sigaction before_int {
+}, before_term{};
 
 extern "C" void write_note(int signal) {
   const char* note = current;
   if (note && getpid() == owner)
     static_cast<void>(!write(STDERR_FILENO, note, std::strlen(note)));
-  raise(signal); // its handler is the default again (SA_RESETHAND); it acts when this one returns
+  sigaction(signal, signal == SIGINT ? &before_int : &before_term, nullptr);
+  raise(signal); // what would have been done without a note is done when this handler returns
 }
 
 } // namespace
@@ -31,15 +35,14 @@ InterruptNote::InterruptNote(std::string what, std::string how_to_go_on)
   owner = getpid();
   struct sigaction action {};
   action.sa_handler = write_note;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, &before_int_);
-  sigaction(SIGTERM, &action, &before_term_);
+  sigaction(SIGINT, &action, &before_int);
+  sigaction(SIGTERM, &action, &before_term);
 }
 
 InterruptNote::~InterruptNote() {
-  sigaction(SIGINT, &before_int_, nullptr);
-  sigaction(SIGTERM, &before_term_, nullptr);
+  sigaction(SIGINT, &before_int, nullptr);
+  sigaction(SIGTERM, &before_term, nullptr);
   current = nullptr;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <csignal>
 #include <cstddef>
 #include <string>
 
@@ -21,8 +20,6 @@ public:
 
 private:
   std::string what_, how_to_go_on_;
-  struct sigaction before_int_ {
-  }, before_term_{};
 };
 
 } // namespace bem_contact

@@ -81,6 +81,22 @@ void refuse_overwriting(const Output& output, const fs::path& taken, const std::
                      why, "Give the output another name.");
 }
 
+/// Throws where a file of somebody else would be replaced.
+void require_begin(const fs::path& file, const std::string& begin) {
+  struct stat found {};
+  if (lstat(file.c_str(), &found) != 0 || (S_ISREG(found.st_mode) && found.st_size == 0))
+    return;
+  std::string first(begin.size(), '\0');
+  std::ifstream in;
+  if (S_ISREG(found.st_mode)) // a pipe would wait, and a link leads elsewhere
+    in.open(file, std::ios::binary);
+  if (!S_ISREG(found.st_mode) || !in.read(first.data(), static_cast<std::streamsize>(first.size())) ||
+      first != begin)
+    throw InputError(fmt::format("The file '{}' exists and would be replaced", file.string()),
+                     "it is not one that this command has written there",
+                     "Give the output another name, or move this file.");
+}
+
 /// Beside the file. A long name loses its end for it, since no name has more than NAME_MAX bytes.
 fs::path temporary_name(const fs::path& file, const std::string& ending) {
   const std::string tail = fmt::format("{}{}{}", temporary_mark, getpid(), ending);
@@ -195,6 +211,8 @@ void require_outputs(const std::vector<fs::path>& inputs, const std::vector<Outp
     for (auto other = outputs.begin(); other != output; ++other)
       refuse_overwriting(*output, other->file, "it is the output of " + other->option);
     output_target(output->file, output->form);
+    if (!output->begins_with.empty())
+      require_begin(output->file, output->begins_with);
   }
 }
 
@@ -232,7 +250,7 @@ OutputTarget output_target(const fs::path& output, OutputForm form) {
 void make_folder(const fs::path& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
-  if (!failed && !fs::is_directory(folder))
+  if (std::error_code unknown; !failed && !fs::is_directory(folder, unknown))
     failed = std::make_error_code(std::errc::not_a_directory);
   if (failed)
     throw InputError(fmt::format("The folder '{}' cannot be made", folder.string()),

@@ -20,6 +20,9 @@ struct Output {
   std::filesystem::path file; ///< empty: it is not asked for
   OutputForm form = OutputForm::text;
   bool required = false; ///< an empty name is refused
+  /// Of a name that the user did not give: a file that is there is replaced only where it begins so, since
+  /// one that does not is somebody else's. "": the name was given.
+  std::string begins_with = {};
 };
 
 /// Programs call it before they compute. Throws InputError for an output that is an input or the same file as

@@ -244,7 +244,7 @@ void Schema::read(std::string_view toml, std::string_view source_name) {
   formerly_.clear();
   require_text(toml, source_name, title_);
   try {
-    SchemaReader(*this).table(toml::parse(toml, source_name), "");
+    SchemaReader(*this).table(parse_toml(toml, source_name), "");
   } catch (const toml::parse_error& error) {
     const auto line = static_cast<std::size_t>(error.source().begin.line);
     const std::optional<double> fraction = fraction_in(line_of(toml, line));

@@ -37,7 +37,10 @@ std::size_t read_journal(const std::filesystem::path& file, const JournalKind& k
   std::ifstream in(file, std::ios::binary);
   if (!in)
     return 0;
-  const std::size_t size = std::filesystem::file_size(file);
+  std::error_code unknown;
+  const std::size_t size = std::filesystem::file_size(file, unknown);
+  if (unknown)
+    return 0;
   const std::string header = header_of(kind, digest);
   std::string found(header.size(), '\0');
   in.read(found.data(), static_cast<std::streamsize>(found.size()));

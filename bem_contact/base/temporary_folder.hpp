@@ -5,7 +5,7 @@
 
 namespace bem_contact {
 
-/// A new folder that is gone when its object is.
+/// A new folder that is gone when its object is, and when Ctrl-C, SIGTERM or SIGHUP ends the program.
 class TemporaryFolder {
 public:
   /// Throws Error where none can be made.

@@ -3,10 +3,13 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/sha256.hpp"
 #include "bem_contact/explore/changed_text.hpp"
+#include "bem_contact/explore/settings.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/scene/directly_named.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -24,7 +27,8 @@ using nlohmann::json;
 SchemaValue value_of(const json& value) {
   if (value.is_boolean())
     return value.get<bool>();
-  if (value.is_number_integer())
+  const bool too_large = value.is_number_unsigned() && value.get<std::uint64_t>() > INT64_MAX;
+  if (value.is_number_integer() && !too_large)
     return value.get<std::int64_t>();
   if (value.is_number())
     return value.get<double>();
@@ -39,6 +43,10 @@ fs::path plain(const fs::path& file) {
   fs::path whole = fs::weakly_canonical(file, problem);
   return problem ? fs::absolute(file).lexically_normal() : whole;
 }
+
+/// Files: a wheelset has four profiles, and a question of another window may be read at the same time.
+/// Chosen.
+constexpr std::size_t most_of_a_question = 16;
 
 /// "FILE#2" is a part of FILE.
 std::string without_part(const std::string& key, const std::string& name) {
@@ -87,9 +95,27 @@ SceneText AskedScenes::text_of(const Question& question) const {
 fs::path AskedScenes::copy_of(const std::string& name, const std::string& content) {
   const std::scoped_lock lock(writing_);
   const fs::path place = fs::path(sha256(content).substr(0, 16)) / fs::path(name).filename();
-  if (written_.insert(place).second)
-    return copies_.write(place, content);
+  if (const auto before = std::ranges::find(written_, place, &Copy::place); before != written_.end())
+    written_.splice(written_.begin(), written_, before);
+  else {
+    copies_.write(place, content);
+    written_.push_front({place, content.size()});
+    forget_old_copies();
+  }
   return copies_ / place;
+}
+
+/// Those of this question were used last.
+void AskedScenes::forget_old_copies() {
+  std::size_t bytes = 0;
+  for (const Copy& copy : written_)
+    bytes += copy.bytes;
+  while (bytes > most_dropped && written_.size() > most_of_a_question) {
+    std::error_code ignored;
+    fs::remove(copies_ / written_.back().place, ignored);
+    bytes -= written_.back().bytes;
+    written_.pop_back();
+  }
 }
 
 void AskedScenes::hold(const std::string& name, const fs::path& file) {

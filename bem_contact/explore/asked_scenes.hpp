@@ -5,6 +5,7 @@
 #include "bem_contact/sequence/scene_record.hpp"
 
 #include <filesystem>
+#include <list>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -42,7 +43,13 @@ public:
   std::string in_plain_names(std::string message) const;
 
 private:
+  struct Copy {
+    std::filesystem::path place;
+    std::size_t bytes;
+  };
+
   std::filesystem::path copy_of(const std::string& name, const std::string& content);
+  void forget_old_copies();
   void require_readable(const NamedFile& file) const;
   std::optional<std::filesystem::path> of_ours(const std::string& name);
   SceneText text_of(const Question& question) const;
@@ -51,7 +58,7 @@ private:
   std::filesystem::path folder_;             ///< where relative paths of scenes start
   std::set<std::filesystem::path> readable_; ///< in the form of plain()
   TemporaryFolder copies_;
-  std::set<std::filesystem::path> written_;           ///< of the copies
+  std::list<Copy> written_;                           ///< the one used last is the first
   std::map<std::string, std::filesystem::path> ours_; ///< by the names of hold()
   mutable std::mutex writing_;
 };

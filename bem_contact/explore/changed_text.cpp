@@ -71,7 +71,7 @@ void insert_value(std::string& text, const toml::table& root, const std::string&
 }
 
 void set_value(std::string& text, const std::string& key, const std::string& value) {
-  const toml::table root = toml::parse(text);
+  const toml::table root = parse_toml(text);
   if (const auto node = root.at_path(key)) {
     const toml::source_region& place = node.node()->source();
     const std::size_t from = byte_at(text, place.begin), to = byte_at(text, place.end);

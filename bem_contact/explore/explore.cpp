@@ -1,6 +1,8 @@
 #include "bem_contact/explore/explore.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/printable.hpp"
+#include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/explore/answers.hpp"
 #include "bem_contact/explore/computer.hpp"
 #include "bem_contact/explore/explore_page.hpp"
@@ -12,8 +14,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
+#include <filesystem>
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 
@@ -65,18 +69,28 @@ private:
   std::array<struct sigaction, signals.size()> before_{};
 };
 
+/// A page that leads to the address. All users of a machine see the words of a command, and with them the
+/// token would be everybody's; the folder of this file is its user's alone.
+std::filesystem::path page_that_leads_to(const std::string& address, const TemporaryFolder& folder) {
+  return folder.write("explore.html",
+                      fmt::format("<!doctype html><meta charset=utf-8><meta http-equiv=refresh "
+                                  "content=\"0;url={0}\"><a href=\"{0}\">bem_contact explore</a>\n",
+                                  address));
+}
+
 /// Without a desktop or a browser nothing happens: the address is printed.
-void show_in_browser(const std::string& address) {
+void show_in_browser(const std::string& address, const TemporaryFolder& folder) {
   if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY"))
     return;
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
-  std::string program = "xdg-open", page = address;
+  std::string program = "xdg-open", page = page_that_leads_to(address, folder).string();
   std::array<char*, 3> words{program.data(), page.data(), nullptr};
   pid_t child = 0;
-  posix_spawnp(&child, words[0], &actions, nullptr, words.data(), environ);
+  if (posix_spawnp(&child, words[0], &actions, nullptr, words.data(), environ) == 0)
+    std::thread([child] { waitpid(child, nullptr, 0); }).detach(); // it may last as long as the browser
   posix_spawn_file_actions_destroy(&actions);
 }
 
@@ -92,11 +106,14 @@ void explore(const Start& start, const ExploreOptions& options) {
                       }});
   const std::unique_ptr<Server> server = open_server(std::move(routes), explore_page(start), options.port);
   const EndingSignals signals;
+  print_out("Open this address in a browser on this machine:\n    {}\nCtrl-C ends it.\n", server->address());
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw Error("The page is not served", "its address could not be printed, so that nobody would find it",
+                "Look where standard output goes.");
+  const TemporaryFolder folder;
   std::thread serving([&] { server->serve(); });
-  fmt::print("Open this address in a browser on this machine:\n    {}\nCtrl-C ends it.\n", server->address());
-  std::fflush(stdout);
   if (options.open_browser)
-    show_in_browser(server->address());
+    show_in_browser(server->address(), folder);
   signals.wait();
   answers.end();
   server->stop();

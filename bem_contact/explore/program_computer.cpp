@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/child_process.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/temporary_folder.hpp"
 
 #include <atomic>
@@ -87,7 +88,7 @@ private:
   /// What was computed before stays: the name tells the body.
   void compute(NamedBody& body, double from, double width) {
     const fs::path influence = folder_ / (body.name + ".h5");
-    if (!fs::exists(influence)) {
+    if (!file_exists(influence)) {
       const fs::path file = folder_.write(body.name + ".toml", body.toml),
                      mesh = folder_ / (body.name + ".msh");
       show(fmt::format("mesh of the {}", body.side), from);

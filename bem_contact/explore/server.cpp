@@ -3,11 +3,18 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/explore/settings.hpp"
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <fmt/format.h>
 #include <httplib.h>
 #include <memory>
+#include <mutex>
+#include <poll.h>
+#include <sys/socket.h>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 namespace bem_contact::explore {
 
@@ -61,6 +68,141 @@ const httplib::Headers headers_of_all{
     {"X-Content-Type-Options", "nosniff"},
     {"X-Frame-Options", "DENY"}};
 
+using Clock = std::chrono::steady_clock;
+
+/// One that is open, and how far it has come.
+struct Connection {
+  socket_t socket;
+  Clock::time_point until; ///< when the request that is being read must be here
+  bool knows_token = false;
+};
+
+/// What is read and written on a connection, each within its whole time: the library limits the time between
+/// two bytes alone, so that a byte now and then would hold a thread for ever.
+class TimedStream : public httplib::Stream {
+public:
+  explicit TimedStream(Connection& connection) : connection_(connection) {}
+
+  bool is_readable() const override { return wait_for(POLLIN, connection_.until); }
+  bool is_writable() const override { return wait_for(POLLOUT, writing_until()); }
+  ssize_t read(char* to, std::size_t size) override {
+    return is_readable() ? recv(connection_.socket, to, size, 0) : -1;
+  }
+  ssize_t write(const char* from, std::size_t size) override {
+    return is_writable() ? send(connection_.socket, from, size, MSG_NOSIGNAL) : -1;
+  }
+  void get_remote_ip_and_port(std::string& ip, int& port) const override { ip = "127.0.0.1", port = 0; }
+  void get_local_ip_and_port(std::string& ip, int& port) const override { ip = "127.0.0.1", port = 0; }
+  socket_t socket() const override { return connection_.socket; }
+
+private:
+  Clock::time_point writing_until() const {
+    if (writing_since_ == Clock::time_point())
+      writing_since_ = Clock::now();
+    return writing_since_ + to_be_written;
+  }
+  bool wait_for(short what, Clock::time_point until) const {
+    pollfd ready{.fd = connection_.socket, .events = what, .revents = 0};
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
+    return left > 0 && poll(&ready, 1, static_cast<int>(left)) == 1;
+  }
+
+  Connection& connection_;
+  mutable Clock::time_point writing_since_ = {};
+};
+
+/// The connections of a server, each of which is cut off when the server ends.
+class Connections {
+public:
+  /// Of this thread; null where it serves none.
+  static Connection*& current() {
+    thread_local Connection* connection = nullptr;
+    return connection;
+  }
+
+  /// False where the server ends.
+  bool add(Connection& connection) {
+    const std::scoped_lock lock(mutex_);
+    if (ending_)
+      return false;
+    open_.push_back(&connection);
+    return true;
+  }
+  /// Before it is closed, so that its number is nobody else's yet.
+  void remove(Connection& connection) {
+    const std::scoped_lock lock(mutex_);
+    std::erase(open_, &connection);
+  }
+  void knows_token(Connection& connection) {
+    const std::scoped_lock lock(mutex_);
+    connection.knows_token = true;
+  }
+  /// A new one has come: where no thread is free, the oldest that has not shown the token ends.
+  void make_room() {
+    const std::scoped_lock lock(mutex_);
+    if (open_.size() < most_connections)
+      return;
+    const auto oldest = std::ranges::find_if(open_, [](const Connection* one) { return !one->knows_token; });
+    if (oldest != open_.end())
+      shutdown((*oldest)->socket, SHUT_RDWR);
+  }
+  void end_all() {
+    const std::scoped_lock lock(mutex_);
+    ending_ = true;
+    for (const Connection* one : open_)
+      shutdown(one->socket, SHUT_RDWR);
+  }
+
+private:
+  std::mutex mutex_;
+  std::vector<Connection*> open_; ///< the oldest first
+  bool ending_ = false;
+};
+
+/// The library's threads.
+class Threads : public httplib::ThreadPool {
+public:
+  explicit Threads(Connections& connections) : ThreadPool(most_connections), connections_(connections) {}
+  void enqueue(std::function<void()> work) override {
+    connections_.make_room();
+    ThreadPool::enqueue(std::move(work));
+  }
+
+private:
+  Connections& connections_;
+};
+
+/// The library's server, with limits on the time of whole requests.
+class TimedServer : public httplib::Server {
+public:
+  Connections& connections() { return connections_; }
+  /// The library lets five wait.
+  void let_more_wait() const { ::listen(svr_sock_, most_waiting); }
+
+private:
+  bool process_and_close_socket(socket_t socket) override {
+    Connection connection{socket, Clock::now() + to_show_token};
+    bool closed = !connections_.add(connection);
+    Connections::current() = &connection;
+    while (!closed) {
+      TimedStream stream(connection);
+      if (!stream.is_readable())
+        break;
+      if (connection.knows_token) // else the time since it came counts
+        connection.until = Clock::now() + to_be_read;
+      closed = !process_request(stream, false, closed, nullptr) || closed || !connection.knows_token;
+      connection.until = Clock::now() + keep_open;
+    }
+    Connections::current() = nullptr;
+    connections_.remove(connection);
+    shutdown(socket, SHUT_RDWR);
+    close(socket);
+    return true;
+  }
+
+  Connections connections_;
+};
+
 class HttpServer : public Server {
 public:
   HttpServer(std::vector<Route> routes, std::string text, int port)
@@ -71,7 +213,10 @@ public:
 
   const std::string& address() const override { return address_; }
   void serve() override { server_.listen_after_bind(); }
-  void stop() override { server_.stop(); }
+  void stop() override {
+    server_.connections().end_all();
+    server_.stop();
+  }
 
 private:
   void open(int wanted) {
@@ -85,6 +230,7 @@ private:
     if (port < 0)
       throw InputError(fmt::format("Port {} cannot be used", wanted), "another program may use it",
                        "Name another one with --port, or leave --port out.");
+    server_.let_more_wait();
     host_ = fmt::format("127.0.0.1:{}", port);
     address_ = fmt::format("http://{}/{}/", host_, token_);
   }
@@ -123,17 +269,18 @@ private:
   }
 
   void prepare() {
-    server_.new_task_queue = [] {
-      return new httplib::ThreadPool(most_connections);
-    };                             // the library deletes it
+    server_.new_task_queue = [this] { return new Threads(server_.connections()); }; // the library deletes it
     server_.set_tcp_nodelay(true); // or each answer waits 40 ms
-    server_.set_keep_alive_max_count(1'000'000);
-    server_.set_keep_alive_timeout(keep_open.count());
     server_.set_payload_max_length(largest_request);
     server_.set_default_headers(headers_of_all);
     server_.set_pre_routing_handler([this](const Request& request, Response& response) {
-      return refused(request, response) ? httplib::Server::HandlerResponse::Handled
-                                        : httplib::Server::HandlerResponse::Unhandled;
+      if (refused(request, response))
+        return httplib::Server::HandlerResponse::Handled;
+      if (Connection* connection = Connections::current()) {
+        server_.connections().knows_token(*connection);
+        connection->until = Clock::now() + to_be_read;
+      }
+      return httplib::Server::HandlerResponse::Unhandled;
     });
     server_.set_exception_handler([](const Request&, Response& response, const std::exception_ptr&) {
       refuse(response, 500, "Something this program did not foresee");
@@ -144,7 +291,7 @@ private:
   std::vector<Route> routes_;
   std::shared_ptr<const std::string> page_;
   std::string token_ = new_token(), host_, address_;
-  httplib::Server server_;
+  TimedServer server_;
 };
 
 } // namespace

@@ -9,10 +9,18 @@ namespace bem_contact::explore {
 /// 0.3 MB. Chosen.
 inline constexpr std::size_t largest_request = std::size_t(16) << 20;
 
-/// Connections that are served at a time. A browser holds six open, and each stays for keep_open. Chosen for
-/// four windows.
-inline constexpr std::size_t most_connections = 24;
+/// Connections that are served at a time, a thread each, and those that wait for their turn. A browser holds
+/// six open, and each stays for keep_open. When all are taken, a new one takes the place of the oldest that
+/// has not shown the token, so that whoever does not know it keeps nobody out. Chosen for ten windows.
+inline constexpr std::size_t most_connections = 64;
+inline constexpr int most_waiting = 512;
 inline constexpr std::chrono::seconds keep_open{5}; ///< how long a connection waits for its next request
+/// The whole time of a request until it has shown the token, until it has been read, and of its answer's way
+/// back. All of it stays on this machine. Chosen.
+inline constexpr std::chrono::seconds to_show_token{2}, to_be_read{30}, to_be_written{60};
+
+/// Bytes of the profiles that were dropped on the page and are kept as files: those used last. Chosen.
+inline constexpr std::size_t most_dropped = std::size_t(256) << 20;
 
 /// mm. Room of a strip of influence functions beyond the contact by the half-space, on either side: finite
 /// elements and friction move the contact by less, and a slider may be moved a little. Chosen.

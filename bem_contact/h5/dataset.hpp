@@ -25,6 +25,10 @@ struct Rows {
 /// `rows`: those of a line that are read; only their chunks are looked at.
 H5Handle open_dataset(H5Id at, const std::string& path, std::optional<Rows> rows = {});
 
+/// Bytes. More than so much is not read of one file, or 1 MB might fill the memory: what is deflated takes up
+/// to a thousand times as much here.
+std::size_t most_inflated(H5Id object);
+
 /// Whether HDF5 finds out that a bit of the numbers has changed: they lie in the header, which has a checksum
 /// in files of ours, or each chunk has one.
 bool has_checksum(H5Id dataset);

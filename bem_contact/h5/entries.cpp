@@ -1,6 +1,7 @@
 #include "bem_contact/h5/entries.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/sha256.hpp"
 #include "bem_contact/h5/attributes.hpp"
 #include "bem_contact/h5/dataset.hpp"
 
@@ -49,6 +50,9 @@ bool find_attributes(hid_t object, std::vector<std::string>& names) {
   return H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, add, &names) >= 0;
 }
 
+/// Of a text: numbers have a checksum of HDF5, a text's own place has none.
+constexpr const char* text_digest = "sha256";
+
 /// "" where there is no such text. False where it cannot be read.
 bool read_text_attribute(hid_t object, const std::string& name, std::string& text) {
   H5Table one;
@@ -67,6 +71,9 @@ bool read_text_dataset(hid_t set, const std::string& path, H5Table& table) {
   if (H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
     return false;
   text.erase(std::min(text.find('\0'), text.size()));
+  std::string digest;
+  if (!read_text_attribute(set, text_digest, digest) || (!digest.empty() && digest != sha256(text)))
+    return false;
   H5Text& stored = table.texts[path];
   stored.text = std::move(text);
   stored.lines = H5Aexists(set, "lines") > 0;
@@ -142,7 +149,9 @@ void write_texts(hid_t root, const H5Table& table, const std::filesystem::path& 
     const H5Handle set(H5Dcreate2(root, name.c_str(), type, space, H5P_DEFAULT, list, H5P_DEFAULT), H5Dclose);
     check_writing(set >= 0 && H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.text.c_str()) >= 0,
                   file, "text " + name);
+    const std::string_view kept(data.text.c_str()); // a text in HDF5 ends at the character NUL
     check_writing(write_attribute(set, "description", data.description) &&
+                      write_attribute(set, text_digest, sha256(kept)) &&
                       (!data.lines || write_attribute(set, "lines", true)),
                   file, "attribute description");
   }

@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/h5/dataset.hpp"
 #include "bem_contact/h5/entries.hpp"
 #include "bem_contact/h5/handle.hpp"
 #include "bem_contact/h5/image.hpp"
@@ -26,6 +27,9 @@ namespace {
 /// and indices do take.
 constexpr std::size_t object_bytes = 4096, table_bytes = 1 << 18;
 
+/// Levels of groups. Ours have five; HDF5 takes the third power of their number to visit them. Chosen.
+constexpr std::ptrdiff_t most_levels = 30;
+
 [[noreturn]] void refuse_reading(const std::filesystem::path& file) {
   throw InputError("The file '" + file.string() + "' cannot be read", "it is not HDF5, or truncated",
                    "Name a result or an influence file, or make it again.");
@@ -43,23 +47,34 @@ H5Handle opened(const std::filesystem::path& file) {
   return root;
 }
 
+/// That a dataset or a text takes here.
+std::size_t bytes_at(const H5Table& table, const std::string& path) {
+  const auto numbers = table.datasets.find(path);
+  const auto text = table.texts.find(path);
+  return (numbers == table.datasets.end() ? 0 : sizeof(double) * numbers->second.values.size()) +
+         (text == table.texts.end() ? 0 : text->second.text.size());
+}
+
 /// What lies below `root`. False where HDF5 fails.
 bool read_below(hid_t root, const std::function<bool(const std::string&)>& wanted, H5Table& table) {
   std::map<std::string, H5O_type_t> found;
   const auto add = [](hid_t, const char* name, const auto* info, void* data) -> herr_t {
     static_cast<std::map<std::string, H5O_type_t>*>(data)->emplace(name, info->type);
-    return 0;
+    return std::ranges::count(std::string_view(name), '/') < most_levels ? 0 : -1;
   };
   // In the order of the file: to sort, HDF5 1.10.8 makes a list, and frees it unwritten where a link is
   // damaged.
   bool whole = H5Ovisit2(root, H5_INDEX_NAME, H5_ITER_NATIVE, add, &found, H5O_INFO_BASIC) >= 0;
   table.checksums = true;
+  std::size_t bytes = 0; // many small files of what is deflated in this one
   for (const auto& [path, kind] : found)
-    if (kind == H5O_TYPE_GROUP)
-      whole = whole && read_attributes(root, path, table);
+    if (!whole)
+      break;
+    else if (kind == H5O_TYPE_GROUP)
+      whole = read_attributes(root, path, table);
     else if (kind == H5O_TYPE_DATASET &&
              wanted(path)) // to open what is not wanted took as long as to visit it
-      whole = whole && read_dataset(root, path, table);
+      whole = read_dataset(root, path, table) && (bytes += bytes_at(table, path)) <= most_inflated(root);
   return whole;
 }
 

@@ -55,9 +55,18 @@ std::string seal_of(const std::filesystem::path& file) {
   return found.starts_with(title) ? found : std::string();
 }
 
+void require_replaceable_influence(const std::filesystem::path& file) {
+  std::error_code unknown;
+  if (is_regular(file) && std::filesystem::file_size(file, unknown) > 0 && !begins_with_seal(file))
+    throw InputError(fmt::format("The file '{}' exists and would be replaced", file.string()),
+                     "it is no influence file", "Give the output another name, or move this file.");
+}
+
 std::string check_seal(const std::filesystem::path& file, int format_major) {
   std::ifstream in = open_file(file);
-  const std::size_t found = std::filesystem::file_size(file);
+  std::error_code unknown;
+  const std::uintmax_t size_there = std::filesystem::file_size(file, unknown);
+  const std::size_t found = unknown ? 0 : static_cast<std::size_t>(size_there);
   const std::string name = std::string("'").append(file.string()).append("'"); // gcc 12 warns of operator+
   std::string first(std::min(found, seal_size), '\0');
   in.read(first.data(), static_cast<std::streamsize>(first.size()));

@@ -27,6 +27,10 @@ inline bool begins_with_seal(const std::filesystem::path& file) {
   return !seal_of(file).empty();
 }
 
+/// Throws InputError for an output that is there and no influence file: somebody else's. An empty file may be
+/// replaced.
+void require_replaceable_influence(const std::filesystem::path& file);
+
 /// The checksum of a file whose seal holds, as hexadecimal text. Throws InputError for a file that is
 /// missing, no influence file, of another major version, truncated or altered.
 std::string check_seal(const std::filesystem::path& file, int format_major);

@@ -83,6 +83,12 @@ void write_contents(H5Id root, const InfluenceFunction& f) {
 
 InfluenceStrip read_strip(H5Id root, const std::filesystem::path& file) {
   InfluenceStrip f;
+  int major = 0;
+  read(root, "format_major", major);
+  if (major != influence_format_major) // the seal's first line says it, too
+    throw InputError(
+        fmt::format("The influence file '{}' says of itself that its format is {}", file.string(), major),
+        fmt::format("its first lines say {}", influence_format_major), "Compute it again.");
   for_each_scalar(f, [&](const char* name, auto& value) { read(root, name, value); });
   std::string invariance;
   read(root, "invariance", invariance);

@@ -1,5 +1,7 @@
 #include "bem_contact/profile/message_sink.hpp"
 
+#include "bem_contact/base/printable.hpp"
+
 #include <cstdio>
 #include <memory>
 #include <spdlog/spdlog.h>
@@ -24,9 +26,12 @@ std::string without_folder(const std::string& text) {
 
 void MessageSink::log(const spdlog::details::log_msg& message) {
   std::fflush(stdout);
+  const std::string text = printable({message.payload.data(), message.payload.size()});
+  spdlog::details::log_msg shown = message;
+  shown.payload = text;
   const bool may_repeat = message.level >= spdlog::level::err;
-  if (may_repeat || ++counts_[std::string(message.payload.begin(), message.payload.end())] == 1)
-    spdlog::sinks::ansicolor_stderr_sink_mt::log(message);
+  if (may_repeat || ++counts_[text] == 1)
+    spdlog::sinks::ansicolor_stderr_sink_mt::log(shown);
 }
 
 void MessageSink::finish() {

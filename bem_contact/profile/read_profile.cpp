@@ -265,7 +265,7 @@ std::string wavelength_text(const MeasuredProfile& p) {
 ProfileFileName profile_file_name(std::string_view name, const std::filesystem::path& folder) {
   const std::filesystem::path whole = folder / std::filesystem::path(name); // an absolute path stays itself
   const auto hash = name.rfind('#');
-  if (hash == std::string_view::npos || std::filesystem::exists(whole))
+  if (hash == std::string_view::npos || file_exists(whole))
     return {whole};
   int part = 0;
   const char* end = name.data() + name.size();

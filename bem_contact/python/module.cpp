@@ -3,6 +3,7 @@
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/python/functions.hpp"
+#include "bem_contact/python/guarded_calls.hpp"
 #include "bem_contact/python/python_messages.hpp"
 #include "bem_contact/python/record_object.hpp"
 #include "bem_contact/python/result_object.hpp"
@@ -352,6 +353,7 @@ PYBIND11_MODULE(_core, m) {
         "Writes one HTML page of what a command wrote, or of an influence file (HDF5): the scene in "
         "words, numbers with errors, certificate, figures. It needs no network. Raises InputError for other "
         "files, and where `output` is `file` or cannot be written.");
+  guard_module(m);
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_all_solutions));
   watch_forks();
 }

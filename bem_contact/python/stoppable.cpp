@@ -22,11 +22,15 @@ namespace {
 /// well below the tenth of a second in which nobody notices a delay.
 constexpr std::chrono::milliseconds look_every{20}, grace{40};
 
+/// How long the end of Python waits for calls that do not solve: a profile is read in a hundredth of it.
+constexpr std::chrono::seconds longest_call{5};
+
 /// What all calls have in common.
 struct Calls {
   std::mutex mutex;
   std::condition_variable changed;
   int away = 0;    ///< threads without Python's lock that will ask for it
+  int inside = 0;  ///< calls of functions of this module that have not returned
   int solving = 0; ///< threads that solve, those that were stopped and have not noticed among them
   bool python_ends = false;
   std::thread::id ender;
@@ -85,6 +89,18 @@ void refuse_forked() {
 
 } // namespace
 
+CallFromPython::CallFromPython() {
+  if (python_ends()) {
+    PyEval_SaveThread();
+    stay_here();
+  }
+  calls().change([] { ++calls().inside; });
+}
+
+CallFromPython::~CallFromPython() {
+  calls().change([] { --calls().inside; });
+}
+
 OthersMayRun::OthersMayRun() {
   calls().change([] { ++calls().away; });
   released_.emplace();
@@ -92,7 +108,7 @@ OthersMayRun::OthersMayRun() {
 
 OthersMayRun::~OthersMayRun() {
   if (python_ends()) {
-    calls().change([] { --calls().away; });
+    calls().change([] { --calls().away, --calls().inside; });
     stay_here();
   }
   released_.reset(); // until this thread has the lock, end_all_solutions() waits
@@ -127,6 +143,8 @@ void end_all_solutions() {
   calls().change([] { calls().python_ends = true, calls().ender = std::this_thread::get_id(); });
   std::unique_lock lock(calls().mutex);
   calls().changed.wait(lock, [] { return calls().away == 0 && calls().solving == 0; });
+  // One may wait in a function of the caller for what never comes.
+  calls().changed.wait_for(lock, longest_call, [] { return calls().inside <= 0; });
 }
 
 void watch_forks() {

@@ -25,6 +25,16 @@ private:
   std::optional<pybind11::gil_scoped_release> released_;
 };
 
+/// Lives while Python is in a function of this module. Where Python ends, its constructor never returns in
+/// any other thread: such threads are daemons.
+class CallFromPython {
+public:
+  CallFromPython();
+  ~CallFromPython();
+  CallFromPython(const CallFromPython&) = delete;
+  CallFromPython& operator=(const CallFromPython&) = delete;
+};
+
 /// Runs `work` in another thread, without Python's lock, while this one looks for Ctrl-C. Then the call ends
 /// at once with what the signal's handler raises, and `work` gets a flag that tells it to stop. It may
 /// outlive the call and so owns what it needs. Throws what `work` throws, and Error in a process that was
@@ -39,8 +49,8 @@ template <class Work> auto stoppable(Work work) {
   return std::move(**result);
 }
 
-/// Tells all work to stop and waits until it has, and until no thread waits for Python's lock. Python calls
-/// it before it ends.
+/// Tells all work to stop and waits until it has, and until no thread waits for Python's lock or is in a
+/// function of this module. Python calls it before it ends.
 void end_all_solutions();
 /// For processes that are forked while a thread solves.
 void watch_forks();

@@ -48,7 +48,13 @@ bool is_number(const py::object& value) {
 }
 
 double number_of(const py::object& value) {
-  return py::float_(value).cast<double>();
+  try {
+    return py::float_(value).cast<double>();
+  } catch (const py::error_already_set& error) {
+    if (!error.matches(PyExc_OverflowError))
+      throw;
+    throw InputError("A number has more than 300 digits", "out of range", "Give a smaller value.");
+  }
 }
 
 SchemaValue whole_number(const std::string& key, const py::object& value) {

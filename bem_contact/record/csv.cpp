@@ -1,6 +1,10 @@
 #include "bem_contact/record/csv.hpp"
 
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/schema_text.hpp"
+
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 #include <ostream>
@@ -38,10 +42,20 @@ std::string csv_text(std::string_view text) {
   std::string out(is_formula(text) ? "\" " : "\"");
   for (const char c : text) {
     out.append(c == '"' ? 1 : 0, '"');
-    out.push_back(c == '\n' ? ' ' : c);
+    out.push_back(c == '\n' || c == '\r' ? ' ' : c);
   }
   out.push_back('"');
   return out;
+}
+
+void require_cell(std::string_view name, std::string_view what) {
+  const auto is_control = [](unsigned char c) { return std::iscntrl(c) != 0; };
+  if (!is_formula(name) && std::ranges::none_of(name, is_control))
+    return;
+  throw InputError(fmt::format("{} = {} cannot be a cell of --csv", what, toml_text(name)),
+                   is_formula(name) ? "a spreadsheet takes what begins with = + - @ as a formula"
+                                    : "tables have one line for each row",
+                   "Give the file another name, or leave out --csv.");
 }
 
 std::string csv_head(const Table& table) {

@@ -24,4 +24,8 @@ std::string csv_line(const Table& table, std::size_t row, int digits = 17);
 /// Head and rows. `digits`: at most so many of each number.
 void write_csv(std::ostream& out, const Table& table, int digits = 17);
 
+/// Throws InputError for a name that csv_text() would change, and that nobody would find again then. `what`
+/// has this name.
+void require_cell(std::string_view name, std::string_view what);
+
 } // namespace bem_contact::record

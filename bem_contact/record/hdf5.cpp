@@ -203,6 +203,14 @@ std::string hdf5_bytes(const Record& record) {
   return h5_bytes(to_h5(record));
 }
 
+std::string format_of(const std::filesystem::path& file) {
+  try {
+    return text_attribute(H5Reader(file).attributes(), "format");
+  } catch (const InputError&) {
+    return "";
+  }
+}
+
 Record read_hdf5(const std::filesystem::path& file) {
   return in_todays_layout(from_h5(read_h5(file)), file);
 }

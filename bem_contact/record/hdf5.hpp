@@ -20,6 +20,8 @@ Record from_h5(const H5Table& table);
 void write_hdf5(const std::filesystem::path& file, const Record& record);
 /// The bytes of such a file.
 std::string hdf5_bytes(const Record& record);
+/// What a file says of its kind (record/file_kinds.hpp); "" for any that is not HDF5 of ours.
+std::string format_of(const std::filesystem::path& file);
 /// Throws InputError for a missing file, one that is not whole HDF5, or one that another version laid out
 /// otherwise (record/file_kinds.hpp).
 Record read_hdf5(const std::filesystem::path& file);

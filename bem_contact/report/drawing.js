@@ -92,4 +92,4 @@ const download = (blob, name) => {
   link.remove();
   setTimeout(() => URL.revokeObjectURL(link.href), 60e3);
 };
-const csvOf = lines => lines.map(cells => cells.map(cell => /[",\n]/.test(cell ?? "") ? `"${cell.replaceAll('"', '""')}"` : cell ?? "").join(",")).join("\n") + "\n";
+const csvOf = lines => lines.map(cells => cells.map(cell => { const text = String(cell ?? ""); return /^([\w .]*|-?[\d.]+(e[-+]?\d+)?)$/.test(text) ? text : `"${/^[=+\-@]/.test(text) ? " " : ""}${text.replaceAll('"', '""').replaceAll(/[\r\n]/g, " ")}"`; }).join(",")).join("\n") + "\n"; // texts as record::csv_text()

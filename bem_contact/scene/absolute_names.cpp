@@ -37,7 +37,7 @@ void make_absolute(toml::node& node, const std::filesystem::path& folder) {
 
 std::string with_absolute_names(const SceneText& scene) {
   try {
-    toml::table root = toml::parse(scene.toml);
+    toml::table root = parse_toml(scene.toml);
     make_absolute(root, scene.folder);
     std::ostringstream out;
     out << root << '\n';

@@ -59,7 +59,7 @@ void require_known_options(const SceneText& scene) {
     return; // most scenes: saves reading the text once more
   toml::table root;
   try {
-    root = toml::parse(scene.toml, scene.source);
+    root = parse_toml(scene.toml, scene.source);
   } catch (const toml::parse_error&) {
     return;
   }
@@ -75,7 +75,7 @@ std::string text_for(const SceneText& scene, std::initializer_list<std::string_v
                      std::initializer_list<std::string_view> left_out) {
   toml::table root;
   try {
-    root = toml::parse(scene.toml, scene.source);
+    root = parse_toml(scene.toml, scene.source);
   } catch (const toml::parse_error&) { // whoever reads the scene says what is wrong
     return scene.toml;
   }

@@ -1,6 +1,7 @@
 #include "bem_contact/scene/scene_keys.hpp"
 
 #include "bem_contact/scene/friction_laws.hpp"
+#include "bem_contact/scene/settings.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -77,6 +78,8 @@ void check_wheelset(const SceneFile& file, const Schema& schema) {
     schema.refuse("wheelset.torque", "without friction the rails bear no torque", "Leave it out.");
 }
 
+constexpr const char* too_small = "the bodies would approach by no more than their coordinates are rounded";
+
 void check_load(const SceneFile& f, const Schema& s) {
   const int given = f.load.force.has_value() + f.load.approach.has_value() + f.position.vertical.has_value();
   if (given > 1)
@@ -91,6 +94,10 @@ void check_load(const SceneFile& f, const Schema& s) {
              : s.has("table") ? "Give load.force or load.approach; a scene whose table [table] does is for "
                                 "bem_contact table."
                               : "Give load.force or load.approach.");
+  if (f.kind == SceneKind::wheel_rail && f.load.force.value_or(least_force) < least_force)
+    s.refuse("load.force", too_small, fmt::format("Give {} N or more.", least_force));
+  if (f.kind == SceneKind::wheel_rail && f.load.approach.value_or(0) > 0 && *f.load.approach < least_approach)
+    s.refuse("load.approach", too_small, fmt::format("Give {} mm or more.", least_approach));
   if (f.load.force_y && !f.load.force)
     s.refuse("load.force_y",
              "the lateral displacement is sought under a vertical force, and load.force is not given",

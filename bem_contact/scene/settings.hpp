@@ -10,6 +10,13 @@ namespace bem_contact {
 /// mm. No approach of a wheel and a rail may be larger: a hundred times that at which steel yields.
 BEM_CONTACT_TUNED(double, largest_approach, 1.0);
 
+// Where rounding begins.
+
+/// N. No force of a wheel on a rail may be smaller: the bodies would approach by 1e-9 mm, and the coordinates
+/// of profiles are rounded to 1e-13 mm.
+BEM_CONTACT_TUNED(double, least_force, 1e-6);
+BEM_CONTACT_TUNED(double, least_approach, 1e-9); ///< mm. As above.
+
 // Where creepages refer to.
 
 /// 1. Share of the approach within which two bodies that overlap without deforming touch when they deform

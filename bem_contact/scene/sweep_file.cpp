@@ -262,7 +262,7 @@ std::string SweepFile::describe(std::size_t index) const {
 
 bool has_sweep(const SceneText& given, std::string_view section) {
   try {
-    return toml::parse(given.toml).contains(section);
+    return parse_toml(given.toml).contains(section);
   } catch (const toml::parse_error&) { // whoever reads the scene says what is wrong
     return false;
   }
@@ -314,7 +314,7 @@ SweepFile parse_sweep_file(SceneText given, std::string_view section) {
   require_text(sweep.text.toml, source, fmt::format("scene with a table [{}]", section));
   toml::table root;
   try {
-    root = toml::parse(sweep.text.toml, source);
+    root = parse_toml(sweep.text.toml, source);
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}: {}", source, error.source().begin.line, error.description()),
                      "the file is not valid TOML", "Correct the line.");

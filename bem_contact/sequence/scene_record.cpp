@@ -21,12 +21,21 @@ std::string without_machine(const std::string& name) {
   return path.is_absolute() ? path.filename().string() : name;
 }
 
+/// Without links; as it stands where a folder may not be entered.
+std::filesystem::path whole_name(const std::filesystem::path& file) {
+  std::error_code failed;
+  const std::filesystem::path from_root = std::filesystem::absolute(file, failed);
+  std::filesystem::path whole = std::filesystem::weakly_canonical(from_root, failed);
+  return failed ? from_root.lexically_normal() : whole;
+}
+
 InputRecord record_of(const NamedFile& named) {
   if (!is_regular(named.file))
     return {named.key, without_machine(named.name), "not a regular file", {}};
   const std::string file = named.file.string();
   InputRecord out{named.key, without_machine(named.name), {}, {}};
-  if (!names_influence(named.key) && std::filesystem::file_size(named.file) <= largest_kept_input)
+  std::error_code unknown;
+  if (!names_influence(named.key) && std::filesystem::file_size(named.file, unknown) <= largest_kept_input)
     out.content = read_text_file(file, "input");
   out.sha256 = out.content ? sha256(*out.content) : sha256_of_file(file);
   if (out.content && out.content->find('\0') != std::string::npos) // a text in HDF5 ends there
@@ -75,8 +84,7 @@ record::Record headed(const char* format) {
 record::Record headed(const char* format, const GivenScene& given, const std::filesystem::path& output) {
   using record::Number;
   using record::Text;
-  const auto target = std::filesystem::weakly_canonical(std::filesystem::absolute(output)).parent_path();
-  const auto folder = std::filesystem::weakly_canonical(std::filesystem::absolute(given.text.folder / "."));
+  const auto target = whole_name(output).parent_path(), folder = whole_name(given.text.folder / ".");
   record::Record materials, inputs;
   const auto material = [&](const std::string& side, const Material& m) {
     materials.add(side + "_shear_modulus", Number{m.shear_modulus, "MPa", "G"});

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/sha256.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 
 #include <algorithm>
@@ -52,6 +53,15 @@ bool is_of_mesh_body(std::istream& mesh) {
   return geometric_points == 0;
 }
 
+/// SHA-256 of the first bytes of a mesh, which its end states.
+std::string sha256_of_first(std::istream& mesh, std::streamoff bytes) {
+  std::string text(static_cast<std::size_t>(bytes), '\0');
+  mesh.clear();
+  mesh.seekg(0);
+  mesh.read(text.data(), bytes);
+  return mesh ? sha256(text) : std::string();
+}
+
 } // namespace
 
 void require_mesh_of(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh) {
@@ -67,6 +77,13 @@ void require_mesh_of(const BodyFile& body, const ProfileCurve& curve, const std:
   if (at == std::string::npos && is_of_mesh_body(in))
     throw InputError("The mesh '" + mesh.string() + "' is not whole",
                      "it does not end with the body file that mesh_body made it from: it was cut off",
+                     "Make it anew: mesh_body BODY.toml -o " + mesh.string());
+  const std::string digest_mark = " sha256 ";
+  if (at != std::string::npos && text.compare(at + mark.size() + 16, digest_mark.size(), digest_mark) == 0 &&
+      text.substr(at + mark.size() + 16 + digest_mark.size(), sha256_size) !=
+          sha256_of_first(in, std::max<std::streamoff>(0, size - tail) + static_cast<std::streamoff>(at)))
+    throw InputError("The mesh '" + mesh.string() + "' was changed since mesh_body made it",
+                     "its SHA-256 is another one: a node or an edge may be elsewhere",
                      "Make it anew: mesh_body BODY.toml -o " + mesh.string());
   if (at != std::string::npos && text.substr(at + mark.size(), 16) != mesh_digest(body, curve.digest()))
     throw InputError("The mesh '" + mesh.string() + "' was made from another body file",

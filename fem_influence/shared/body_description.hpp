@@ -19,8 +19,8 @@ std::vector<Station> make_stations(const BodyFile::Strip& strip, const ProfileCu
 InfluenceFunction describe(const BodyFile& body, const ProfileCurve& curve);
 
 /// A mesh of mesh_body says at its end which body file it was made from; other meshes say nothing. Throws
-/// InputError if it was made from another one, and for one of mesh_body that was cut off: the edges that it
-/// lists before this end would be straight.
+/// InputError if it was made from another one, if a byte of it was changed since, and for one of mesh_body
+/// that was cut off: the edges that it lists before this end would be straight.
 void require_mesh_of(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh);
 
 } // namespace bem_contact::fem

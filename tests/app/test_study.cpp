@@ -148,7 +148,8 @@ TEST_F(Study, OfAWheelset) {
   EXPECT_NEAR(number("parts/wear/right/T_gamma") / number("parts/wheelset/right/track/T_gamma"), 1, 1e-6);
 }
 
-/// The influence files come from a program of the scene, once; then models are compared with them.
+/// The influence files come from a program of the scene that the line repeats, once; then models are compared
+/// with them.
 TEST_F(Study, WithInfluenceFiles) {
   const std::string shipped = CONFORMAL_SOURCE_DIR "/data/influence/small_";
   write("rail.toml", "[body]\nkind = \"rail\"\nprofile = \"60E1\"\n");
@@ -163,7 +164,10 @@ TEST_F(Study, WithInfluenceFiles) {
                              "\"rail.toml\"\nwheel = \"wheel.toml\"\nprogram = \"" +
                              program.string() + "\"\n";
   const std::string file = write("case.toml", scene + tables).string();
-  const Outcome done = run("study " + file + " -o " + path("out"));
+  EXPECT_THAT(run("study " + file + " -o " + path("out")).err, HasSubstr("The scene names the program"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "rail.h5.calls"));
+  const std::string study = "study " + file + " --influence " + program.string() + " -o " + path("out");
+  const Outcome done = run(study);
   ASSERT_EQ(done.code, 0) << done.out << done.err;
   EXPECT_THAT(done.out, HasSubstr("influence     done"));
   const auto pressure = [](const H5Table& in, const std::string& model, const std::string& group = "") {
@@ -175,7 +179,7 @@ TEST_F(Study, WithInfluenceFiles) {
     EXPECT_NEAR(pressure(all, model, "parts/compare/") / pressure(alone, model), 1, 1e-9) << model;
   EXPECT_LT(pressure(all, "fem", "parts/compare/"), pressure(all, "halfspace", "parts/compare/"));
   EXPECT_THAT(text_of(folder_ / "out" / "study.csv"), HasSubstr("at_equal_forces/fem/quantities/pmax,"));
-  EXPECT_THAT(run("study " + file + " -o " + path("out")).out, ContainsRegex("influence +done +as it was"));
+  EXPECT_THAT(run(study).out, ContainsRegex("influence +done +as it was"));
   const std::string calls = text_of(folder_ / "rail.h5.calls");
   EXPECT_EQ(std::count(calls.begin(), calls.end(), '\n'), 1);
 }
@@ -184,7 +188,8 @@ TEST_F(Study, WithInfluenceFiles) {
 TEST_F(Study, SaysWhichInfluenceFileIsMissing) {
   const std::string scene = wheel_on_rail + "rail.influence = \"none.h5\"\n[influence]\nrail = "
                                             "\"rail.toml\"\nprogram = \"false\"\n";
-  const Outcome done = run("study " + write("case.toml", scene).string() + " -o " + path("out"));
+  const Outcome done =
+      run("study " + write("case.toml", scene).string() + " --influence false -o " + path("out"));
   EXPECT_THAT(done.out, ContainsRegex("influence +failed"));
   EXPECT_THAT(done.out,
               ContainsRegex("There is no influence file '.*none.h5' \\(false .*rail.toml ended with "

@@ -1,10 +1,12 @@
 // `bem_contact wear` and `bem_contact fatigue` as a user runs them.
 #include "bem_contact/base/file_lock.hpp"
+#include "bem_contact/base/output_folder.hpp"
 #include "bem_contact/h5/table.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "tests/app/run_program.hpp"
 
+#include <cmath>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -109,21 +111,31 @@ TEST_F(WearCommand, RefusesAFolderOfAnotherWear) {
       run("wear " + path("scene.toml") + " -o " + path("worn") + " --depth 0.01 --cap 0.005");
   EXPECT_EQ(other.code, 2);
   EXPECT_THAT(other.err, HasSubstr("exists and is not of this wear"));
-  const H5Table state = read_h5(path("worn/wear.h5"));
   EXPECT_THAT(run("info '" + path("worn/wear.h5") + "'").out, HasSubstr("Wear of a rail and a wheel"));
+  const H5Table whole = read_h5(path("worn/wear.h5"));
+  const auto damaged = [&](const H5Table& state) {
+    write_h5(path("worn/wear.h5"), state);
+    OutputFolder(folder_ / "worn", {.maker = "wear"}).adopt("wear.h5"); // as if wear had written it
+    const Outcome again = run("wear " + path("scene.toml") + " -o " + path("worn") + " --depth 0.01");
+    EXPECT_EQ(again.code, 2);
+    return again.err;
+  };
   for (const char* lost : {"rail/depth", "wheel/profile", "mileage", "step"}) {
-    H5Table less = state;
+    H5Table less = whole;
     less.datasets.erase(lost);
-    write_h5(path("worn/wear.h5"), less);
-    const Outcome damaged = run("wear " + path("scene.toml") + " -o " + path("worn") + " --depth 0.01");
-    EXPECT_EQ(damaged.code, 2) << lost;
-    EXPECT_THAT(damaged.err,
+    EXPECT_THAT(damaged(less),
                 HasSubstr("worn/wear.h5' is damaged (it has no dataset '" + std::string(lost) + "')"));
   }
+  for (const char* name : {"rail/depth", "wheel/profile", "mileage", "revolutions", "smoothing", "rail_area"})
+    for (const double value : {std::nan(""), HUGE_VAL}) {
+      H5Table wrong = whole;
+      wrong.datasets.at(name).values.back() = value;
+      EXPECT_THAT(damaged(wrong), HasSubstr("has a number that is none")) << name;
+    }
   write("worn/wear.h5", text("worn/wear.h5").substr(0, 2000));
-  const Outcome damaged = run("wear " + path("scene.toml") + " -o " + path("worn") + " --depth 0.01");
-  EXPECT_EQ(damaged.code, 2);
-  EXPECT_THAT(damaged.err, HasSubstr("cannot be read (it is not HDF5, or truncated)"));
+  const Outcome cut = run("wear " + path("scene.toml") + " -o " + path("worn") + " --depth 0.01");
+  EXPECT_EQ(cut.code, 2);
+  EXPECT_THAT(cut.err, HasSubstr("wear.h5' has changed since it was written"));
 }
 
 /// Files that no wear study wrote stay as they are.
@@ -134,9 +146,10 @@ TEST_F(WearCommand, RefusesAFolderOfOtherFiles) {
   const std::string command = "wear " + path("scene.toml") + " --depth 0.01 -o ";
   const Outcome refused = run(command + path("mine"));
   EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err,
-              HasSubstr("exists and is not of this wear (it is not empty, and there is no wear.h5 in "
-                        "it: its files might be overwritten) Give a new folder, or an empty one."));
+  EXPECT_THAT(
+      refused.err,
+      HasSubstr("is not one of bem_contact wear (it is not empty ('wear.csv'), and has no list "
+                ".made_by_wear: its files might be overwritten) Give a new folder, or an empty one."));
   EXPECT_EQ(text("mine/wear.csv"), "years of measurements");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "mine/rail_0000.txt"));
   std::filesystem::create_directory(folder_ / "empty");
@@ -146,9 +159,9 @@ TEST_F(WearCommand, RefusesAFolderOfOtherFiles) {
 /// A second run would overwrite what the first has finished since.
 TEST_F(WearCommand, OneRunAtATimeWritesAFolder) {
   write("scene.toml", scene);
-  std::filesystem::create_directory(folder_ / "worn");
   const std::string command = "wear " + path("scene.toml") + " --depth 0.01 -o " + path("worn");
   {
+    const OutputFolder begun(folder_ / "worn", {.maker = "wear"});
     const LockFile first(folder_ / "worn/wear.lock", "");
     const Outcome refused = run(command);
     EXPECT_EQ(refused.code, 2);
@@ -163,14 +176,19 @@ TEST_F(WearCommand, OneRunAtATimeWritesAFolder) {
 TEST_F(WearCommand, GoesOnAfterAStopInTheFirstStep) {
   write("scene.toml", scene);
   const std::string command = "wear " + path("scene.toml") + " --depth 0.01 -o ";
-  std::filesystem::create_directory(folder_ / "worn");
-  for (const char* left : {"wear.lock", "rail_0000.txt", "wheel_0000.txt.tmp123"})
+  {
+    OutputFolder begun(folder_ / "worn", {.maker = "wear"});
+    begun.take("rail_0000.txt");
+    begun.take("wheel_0000.txt");
+  }
+  write("worn/wear.lock", "");
+  for (const char* left : {"rail_0000.txt", "wheel_0000.txt.tmp123"})
     write(std::string("worn/") + left, "0 0");
   EXPECT_EQ(run(command + path("worn")).code, 0);
   std::filesystem::create_directory(folder_ / "later");
   for (const char* left : {"rail_0000.txt", "wheel_0000.txt", "wear.csv", "rail_0001.txt"})
     write(std::string("later/") + left, "0 0");
-  EXPECT_THAT(run(command + path("later")).err, HasSubstr("exists and is not of this wear"));
+  EXPECT_THAT(run(command + path("later")).err, HasSubstr("is not one of bem_contact wear"));
 }
 
 /// Chunks of the cases of a step start cold, however many processes share them.

@@ -113,6 +113,9 @@ class Config(unittest.TestCase):
         self.assertIn("unknown key 'swep'", self.refused("[[swep]]\n"))
         self.assertIn("sweep is no list of tables", self.refused("[sweep]\n"))
         self.assertIn("unknown key 'case' in [[sweep]]", self.refused('[[sweep]]\nscene = "s.toml"\noutput = "o"\ncase = 3\n'))
+        for tries in ('"x"', "-1", "true", "[]", "1.5", "nan"):
+            self.assertIn("tries cannot be", self.refused(f"tries = {tries}\n"))
+        self.assertIn("begins with -", self.refused('[[sweep]]\nscene = "--help"\noutput = "o.h5"\n'))
         self.assertIn("has no output", self.refused('[[sweep]]\nscene = "s.toml"\n'))
         self.assertIn("sweep.cases cannot be 0", self.refused('[[sweep]]\nscene = "s.toml"\noutput = "o"\ncases = 0\n'))
         self.assertIn("absent.toml", self.refused('[[sweep]]\nscene = "absent.toml"\noutput = "o"\n'))

@@ -551,7 +551,7 @@ class Outputs(Hostile):
         (self.folder / "far").mkdir()
         for option, ending in self.OUTPUTS:
             target, link = self.folder / "far" / f"target.{ending}", self.folder / f"link.{ending}"
-            target.write_text("old")
+            target.write_text("")
             link.symlink_to(target)
             self.assertEqual(self.solve(option, link)[0], 0)
             self.assertTrue(link.is_symlink() and not target.is_symlink())

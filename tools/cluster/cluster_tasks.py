@@ -238,6 +238,11 @@ class Plan:
         except tomllib.TOMLDecodeError as error:
             self.refuse(str(error), "the file is not valid TOML", "Correct the line.")
 
+    def number_of_tries(self, given):
+        if not isinstance(given, int) or isinstance(given, bool) or not 0 <= given <= 100:
+            self.refuse(f"tries cannot be {given!r}", "it is a whole number from 0 to 100", "Correct it.")
+        return given
+
     def folder_of_programs(self, given, cluster_folder):
         if not isinstance(given, str):
             self.refuse(f"programs cannot be {given!r}", "it is a text, the folder of the programs", "Correct it.")
@@ -328,7 +333,7 @@ class Plan:
             task.inputs = list(dict.fromkeys(task.inputs + list(self.named_by(task.scene, known[task.scene]["inputs"], made))))
         for sweep in self.sweeps:
             if "cases" not in known[sweep.scene]:
-                known[sweep.scene]["cases"] = int(self.said(sweep.scene, "sweep", sweep.scene, "--count"))
+                known[sweep.scene]["cases"] = self.cases_of(sweep.scene)
             sweep.cases = known[sweep.scene]["cases"]
         if main:
             Path(MEMORY).parent.mkdir(exist_ok=True)
@@ -340,6 +345,13 @@ class Plan:
         if done.returncode != 0:
             raise ConfigError(f"{self.source}: the scene '{scene}' cannot be solved:\n{done.stderr.strip()}")
         return done.stdout
+
+    def cases_of(self, scene):
+        said = self.said(scene, "sweep", scene, "--count")
+        if not said.strip().isdigit():
+            self.refuse(f"the sweep '{scene}' has no number of cases", f"bem_contact sweep --count said {said[:60]!r}",
+                        "Call it alone to see why.")
+        return int(said)
 
     def named_by(self, scene, files, made):
         """Those as Snakemake knows them: one of a body has the name that its rule gives it."""
@@ -354,8 +366,12 @@ class Plan:
 
     def require_distinct(self):
         seen = {os.path.abspath(self.source)} | {os.path.abspath(one) for one in self.given_files()}
+        tasks = self.sweeps + self.wear + self.studies + self.tables
+        read = {os.path.realpath(name) for name in [task.scene for task in tasks] + [body.file for body in self.bodies]}
         for result in self.results():
             place = os.path.abspath(result)
+            if os.path.realpath(result) in read:
+                self.refuse(f"'{result}' would be replaced", "a task reads it", "Give the output another name.")
             if place in seen:
                 self.refuse(f"two tasks write '{result}', or one does that is given it", "what is there would be replaced",
                             "Give each result a name of its own.")

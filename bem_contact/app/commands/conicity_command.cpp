@@ -3,7 +3,9 @@
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
@@ -57,7 +59,7 @@ struct ConicityArguments {
 /// A profile's name as a scene understands it from any folder: files are given from the working directory.
 std::string from_here(const std::string& name) {
   const ProfileFileName given = profile_file_name(name);
-  if (is_standard_profile(name) || !std::filesystem::exists(given.file))
+  if (is_standard_profile(name) || !file_exists(given.file))
     return name;
   const std::string file = std::filesystem::absolute(given.file).string();
   return given.part > 0 ? fmt::format("{}#{}", file, given.part) : file;
@@ -177,6 +179,10 @@ ExitCode run_map(const ConicityArguments& arguments) {
     range.wheels = {given.scene.wheel.profile};
   if (range.rails.empty())
     range.rails = {given.scene.rail.profile};
+  if (!arguments.csv.empty())
+    for (const auto& [what, names] : {std::pair{"wheel", &range.wheels}, {"rail", &range.rails}})
+      for (const std::string& name : *names)
+        record::require_cell(name, what);
   const std::vector<NamedFile> files = files_of(range, given.scene.folder);
   std::vector<std::filesystem::path> inputs = files_read(arguments.scene, given.scene);
   std::ranges::move(paths_of(files), std::back_inserter(inputs));
@@ -199,8 +205,8 @@ ExitCode run_map(const ConicityArguments& arguments) {
                        headed(conicity_map_format, given, arguments.output).append(record_of(map)));
   if (!arguments.csv.empty())
     write_text(arguments.csv, [&](std::ostream& out) { write_map_csv(out, map); });
-  fmt::print("{}", arguments.json ? record::to_json(headed(conicity_map_format).append(record_of(map))) + "\n"
-                                  : track_text(given.scene) + "\n" + map_text(map));
+  print_out("{}", arguments.json ? record::to_json(headed(conicity_map_format).append(record_of(map))) + "\n"
+                                 : track_text(given.scene) + "\n" + map_text(map));
   return success;
 }
 
@@ -228,9 +234,9 @@ ExitCode run(const ConicityArguments& arguments) {
     write_text(arguments.csv, [&](std::ostream& out) {
       record::write_csv(out, record::table_of("displacement", stand_columns(), conicity.stands));
     });
-  fmt::print("{}", arguments.json
-                       ? record::to_json(headed(conicity_format).append(record_of(conicity, wheelset))) + "\n"
-                       : conicity_text(conicity, wheelset, given.scene));
+  print_out("{}", arguments.json
+                      ? record::to_json(headed(conicity_format).append(record_of(conicity, wheelset))) + "\n"
+                      : conicity_text(conicity, wheelset, given.scene));
   return success;
 }
 

@@ -2,6 +2,7 @@
 
 #include "bem_contact/app/number_list.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/record/csv.hpp"
 
@@ -22,8 +23,7 @@ constexpr int most_gauges = 1000; // a typing error
 
 /// The names of a pattern as FOLDER/*.whl, sorted; any other name alone.
 std::vector<std::string> names_of_pattern(const std::string& given) {
-  if (is_standard_profile(given) || given.find_first_of("*?[") == std::string::npos ||
-      std::filesystem::exists(given))
+  if (is_standard_profile(given) || given.find_first_of("*?[") == std::string::npos || file_exists(given))
     return {given};
   glob_t found = {};
   std::vector<std::string> out;

@@ -6,6 +6,7 @@
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/record/csv.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
@@ -211,10 +212,10 @@ ExitCode run(const CreepArguments& arguments) {
                        headed(creep_curves_format, given, arguments.output).append(answer.record()));
   if (!arguments.csv.empty())
     write_text(arguments.csv, [&](std::ostream& out) { write_curves(out, curves); });
-  fmt::print("{}", arguments.json
-                       ? record::to_json(headed(creep_curves_format).append(answer.record())) + "\n"
-                       : curves_text(curves) +
-                             (answer.measured ? measured_text(*answer.measured, arguments.measured) : ""));
+  print_out("{}", arguments.json
+                      ? record::to_json(headed(creep_curves_format).append(answer.record())) + "\n"
+                      : curves_text(curves) +
+                            (answer.measured ? measured_text(*answer.measured, arguments.measured) : ""));
   warn(curves.solution.warnings);
   if (answer.certified())
     return success;

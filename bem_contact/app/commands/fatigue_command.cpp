@@ -3,6 +3,7 @@
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/record/csv.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
@@ -52,17 +53,16 @@ ExitCode run(const FatigueArguments& arguments) {
   if (!arguments.csv.empty())
     write_text(arguments.csv, write);
   if (arguments.json) {
-    fmt::print("{}\n",
-               record::to_json(headed(fatigue_format).append(record_of(table, arguments.properties))));
+    print_out("{}\n", record::to_json(headed(fatigue_format).append(record_of(table, arguments.properties))));
     return success;
   }
   if (arguments.csv.empty() && arguments.output.empty())
     write(std::cout);
-  fmt::print("{}, {}: {} beyond the shakedown limit of the surface (FI_surf > 0), {} beyond that below the "
-             "surface alone\n",
-             counted(table.cases, "case", "cases"), counted(table.patches.size(), "patch", "patches"),
-             table.beyond_surface, table.beyond_below);
-  fmt::print("damage of one passage, mean over the collective: {:.4g}\n", table.damage);
+  print_out("{}, {}: {} beyond the shakedown limit of the surface (FI_surf > 0), {} beyond that below the "
+            "surface alone\n",
+            counted(table.cases, "case", "cases"), counted(table.patches.size(), "patch", "patches"),
+            table.beyond_surface, table.beyond_below);
+  print_out("damage of one passage, mean over the collective: {:.4g}\n", table.damage);
   return success;
 }
 

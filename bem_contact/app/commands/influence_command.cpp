@@ -3,6 +3,7 @@
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/halfspace/combine.hpp"
 #include "bem_contact/halfspace/resample.hpp"
 #include "bem_contact/influence/influence_file.hpp"
@@ -215,7 +216,7 @@ Command add_influence(CLI::App& program) {
     bem_contact influence expand data/influence/small_rail.h5 --dx 0.5 --ds 0.5 --mx 20 --my 30 -o numbers.h5
 `bem_contact influence --help` explains it and has more.)");
   return {influence, [request] {
-            fmt::print("{}", expand_command(*request));
+            print_out("{}", expand_command(*request));
             return success;
           }};
 }

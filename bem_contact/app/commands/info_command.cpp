@@ -1,6 +1,7 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/repeat.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/requirements.hpp"
@@ -105,8 +106,11 @@ std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes)
 /// other file.
 std::string describe_file(const std::filesystem::path& file) {
   // Only files whose seal holds go to HDF5.
-  if (begins_with_seal(file))
-    return describe_influence(read_influence_file(file), std::filesystem::file_size(file));
+  if (begins_with_seal(file)) {
+    const InfluenceFunction function = read_influence_file(file);
+    std::error_code unknown;
+    return describe_influence(function, std::filesystem::file_size(file, unknown));
+  }
   const record::Record top = record::read_hdf5_top(file, "patches"); // a sweep's fields may be large
   if (const FileKind* kind = kind_of(record::text_at(top, "format").value_or("")))
     return describe_record(kind == kind_of(sweep_format) || kind == kind_of(sweep_part_format)
@@ -134,8 +138,8 @@ profile that the file covers (s = -44 .. -20 mm), the shortest element along x t
 the estimated error of an influence number, relative to that of a loaded element on itself. For a result or a sweep
 you see every dataset with its shape and unit.)");
   return {line, [file, scene, with_defaults] {
-            fmt::print("{}",
-                       *scene || *with_defaults ? stored_scene(*file, *with_defaults) : describe_file(*file));
+            print_out("{}",
+                      *scene || *with_defaults ? stored_scene(*file, *with_defaults) : describe_file(*file));
             return success;
           }};
 }

@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/scene/scene_file.hpp"
@@ -157,7 +158,7 @@ ExitCode run_new(const NewScene& asked) {
       {text, "the new scene",
        asked.output.empty() ? std::filesystem::path() : std::filesystem::path(asked.output).parent_path()});
   if (asked.output.empty())
-    fmt::print("{}", text);
+    print_out("{}", text);
   else
     write_text(asked.output, [&](std::ostream& out) { out << text; });
   return success;

@@ -1,5 +1,6 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/commands/start_python.hpp"
+#include "bem_contact/base/argument_error.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -51,7 +52,7 @@ Command add_plot(CLI::App& program) {
   CLI::App* line = program.add_subcommand(
       "plot", "A picture of a result file, a folder of wear, a profile, a body, a mesh or an influence file");
   line->add_option("file", arguments->file, "What to draw; further profiles are drawn behind the first");
-  line->add_option("-o,--output", arguments->output, "The picture; else FILE.png in this folder");
+  add_output_option(*line, "-o,--output", arguments->output, "The picture; else FILE.png in this folder");
   line->prefix_command(); // further profiles, and options of the command profile, are Python's
   line->footer(plot_help);
   return {line, [arguments, line]() -> ExitCode {

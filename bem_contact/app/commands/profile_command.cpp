@@ -6,6 +6,7 @@
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/record/file_kinds.hpp"
@@ -113,10 +114,10 @@ ExitCode run_on(const ProfileArguments& arguments) {
                       described_profile(arguments.on, kind, arguments.reading), arguments.step);
   if (!arguments.csv.empty())
     write_whole(arguments.csv, [&](std::ostream& out) { out << profile_csv(placed.points, placed.depth); });
-  fmt::print("{} on the unworn part of {}: moved by {:.3f} mm along y and {:.3f} mm along z and turned by "
-             "{:.3f} degrees\n",
-             arguments.name, std::filesystem::path(arguments.on).filename().string(), placed.place.shift.y,
-             placed.place.shift.z, degrees(placed.place.angle));
+  print_out("{} on the unworn part of {}: moved by {:.3f} mm along y and {:.3f} mm along z and turned by "
+            "{:.3f} degrees\n",
+            arguments.name, std::filesystem::path(arguments.on).filename().string(), placed.place.shift.y,
+            placed.place.shift.z, degrees(placed.place.angle));
   return success;
 }
 
@@ -140,9 +141,9 @@ std::string fit_text(const ProfileArguments& arguments, const MeasuredProfile& p
 ExitCode run(ProfileArguments arguments) {
   if (arguments.list) {
     if (!arguments.name.empty()) // for scripts: which standard is it?
-      fmt::print("{}\n", standard_profile(arguments.name).name());
+      print_out("{}\n", standard_profile(arguments.name).name());
     else
-      fmt::print("{}", standards_text());
+      print_out("{}", standards_text());
     return success;
   }
   if (arguments.name.empty())
@@ -171,11 +172,11 @@ ExitCode run(ProfileArguments arguments) {
     report::write_profile_page(std::filesystem::path(arguments.name).filename(), words,
                                drawn_profiles(arguments, profile, found.like, kind), arguments.plot);
   if (arguments.json) {
-    fmt::print("{}\n", record::to_json(
-                           headed(profile_format).append(record_of(profile, found, kind, arguments.step))));
+    print_out("{}\n", record::to_json(
+                          headed(profile_format).append(record_of(profile, found, kind, arguments.step))));
     return success;
   }
-  fmt::print("{}{}", words, arguments.against.empty() ? "" : fit_text(arguments, profile, kind));
+  print_out("{}{}", words, arguments.against.empty() ? "" : fit_text(arguments, profile, kind));
   return success;
 }
 

@@ -7,6 +7,7 @@
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/json.hpp"
@@ -122,8 +123,8 @@ ExitCode run_repeat(const SceneArguments& arguments) {
   warn(repetition.warnings);
   if (arguments.strict)
     refuse_warnings(repetition.result.warnings);
-  fmt::print("{}",
-             arguments.json ? record::to_json(repetition_record(repetition)) + "\n" : to_text(repetition));
+  print_out("{}",
+            arguments.json ? record::to_json(repetition_record(repetition)) + "\n" : to_text(repetition));
   warn(repetition.result.warnings);
   return std::max(verdict(repetition.result), repetition.same() ? success : no_convergence);
 }
@@ -144,7 +145,7 @@ ExitCode run_solve(const SceneArguments& arguments) {
     record::write_hdf5(arguments.output, result_file(result, given, arguments.output));
   if (!arguments.vtk.empty())
     write_vts(arguments.vtk, result);
-  fmt::print("{}", arguments.json ? json_of(result_format, result) : to_text(result));
+  print_out("{}", arguments.json ? json_of(result_format, result) : to_text(result));
   warn(result.warnings);
   return verdict(result);
 }
@@ -179,7 +180,7 @@ ExitCode run_compare(const SceneArguments& arguments) {
   std::vector<Output> outputs{{"--output", arguments.output, OutputForm::whole_file}};
   if (!arguments.vtk.empty())
     for (const Model model : models)
-      outputs.push_back({"--vtk-prefix", surface_of(model)});
+      outputs.push_back({.option = "--vtk-prefix", .file = surface_of(model), .begins_with = surface_begin});
   const GivenScene given = read_given_scene_for(outputs, arguments.file, "");
   const Comparison comparison = Sequence({.threads = arguments.threads}).compare(given.scene, models);
   if (arguments.strict)
@@ -190,7 +191,7 @@ ExitCode run_compare(const SceneArguments& arguments) {
   if (!arguments.vtk.empty())
     for (const SceneResult& result : comparison.leading())
       write_vts(surface_of(result.choice.model), result);
-  fmt::print("{}", arguments.json ? json_of(comparison_format, comparison) : to_text(comparison));
+  print_out("{}", arguments.json ? json_of(comparison_format, comparison) : to_text(comparison));
   warn(warnings_of(comparison));
   ExitCode worst = success;
   for (const auto* results : {&comparison.at_forces, &comparison.at_position})
@@ -221,11 +222,11 @@ ExitCode run_check(const SceneArguments& arguments) {
   const SceneDescription found =
       has_sweep(given) ? describe_sweep(parse_sweep_file(given)) : describe_scene(parse_scene_file(given));
   for (const std::string& line : found.lines)
-    fmt::print("{}\n", line);
+    print_out("{}\n", line);
   if (arguments.strict)
     refuse_warnings(found.warnings);
   for (const std::string& warning : found.warnings)
-    fmt::print("warning: {}\n", warning);
+    print_out("warning: {}\n", warning);
   return success;
 }
 

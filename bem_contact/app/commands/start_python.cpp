@@ -1,6 +1,7 @@
 #include "bem_contact/app/commands/start_python.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 /// Beside the program's folder in a build, in an installed tree, and around it in what pip installs.
 fs::path folder_of_package(const fs::path& bin) {
   for (const fs::path& folder : {bin / "../python", bin / ".." / CONFORMAL_PYTHON_DIR, bin / "../.."})
-    if (fs::is_directory(folder / "bem_contact/plotting"))
+    if (std::error_code unknown; fs::is_directory(folder / "bem_contact/plotting", unknown))
       return folder.lexically_normal();
   throw InputError("The Python package bem_contact was not found",
                    fmt::format("it is neither beside '{}' nor where it is installed", bin.string()),
@@ -33,11 +34,12 @@ void put_first(const char* variable, const fs::path& folder) {
 
 void become_python(const fs::path& python, const std::string& module,
                    const std::vector<std::string>& arguments) {
-  if (!fs::exists(python))
+  if (!file_exists(python))
     throw InputError("No picture can be drawn", fmt::format("there is no '{}'", python.string()),
                      "Install the Debian packages python3, python3-h5py and python3-matplotlib: sudo apt-get "
                      "install python3 python3-h5py python3-matplotlib");
-  const fs::path bin = fs::read_symlink("/proc/self/exe").parent_path();
+  std::error_code unknown;
+  const fs::path bin = fs::read_symlink("/proc/self/exe", unknown).parent_path();
   put_first("PYTHONPATH", folder_of_package(bin));
   setenv("CONFORMAL_BIN", bin.c_str(), 1);
   std::vector<std::string> words{python.string(), "-m", module};

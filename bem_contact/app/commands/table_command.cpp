@@ -5,6 +5,7 @@
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/record/file_kinds.hpp"
@@ -125,7 +126,7 @@ void print_values(const TableArguments& arguments) {
   const table::ContactTable t = table::read_table(arguments.input);
   const std::vector<double> at = numbers_of(arguments.at, ',', "--at", "0.5,6e4");
   const auto print = [](const char* name, double value, double error, const std::string& unit) {
-    fmt::print("{} {:.12g} {} (interpolation error {:.2g})\n", name, value, unit, error);
+    print_out("{} {:.12g} {} (interpolation error {:.2g})\n", name, value, unit, error);
   };
   if (t.scale) {
     if (at.size() != 7)
@@ -240,8 +241,8 @@ ExitCode run(TableArguments arguments) {
   }
   if (!arguments.text.empty())
     write_text(arguments.text, [&](std::ostream& out) { out << table::to_text(order.table); });
-  fmt::print("{}", arguments.json ? record::to_json(summary_of(order.table, seconds)) + "\n"
-                                  : words_of(order.table, seconds));
+  print_out("{}", arguments.json ? record::to_json(summary_of(order.table, seconds)) + "\n"
+                                 : words_of(order.table, seconds));
   return success;
 }
 

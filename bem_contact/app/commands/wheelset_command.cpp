@@ -4,6 +4,7 @@
 #include "bem_contact/app/output/vtk_file.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/record/error_text.hpp"
 #include "bem_contact/record/file_kinds.hpp"
@@ -137,7 +138,8 @@ std::vector<Output> outputs_of(const WheelsetArguments& arguments) {
   std::vector<Output> out{{"--output", arguments.output, OutputForm::whole_file}};
   for (const WheelSide side : both_sides)
     if (!arguments.vtk.empty())
-      out.push_back({"--vtk-prefix", surface_of(arguments, side)});
+      out.push_back(
+          {.option = "--vtk-prefix", .file = surface_of(arguments, side), .begins_with = surface_begin});
   return out;
 }
 
@@ -152,8 +154,8 @@ ExitCode run(const WheelsetArguments& arguments) {
   for (const WheelSide side : both_sides)
     if (!arguments.vtk.empty())
       write_vts(surface_of(arguments, side), result.state.solved(side));
-  fmt::print(
-      "{}", arguments.json
+  print_out("{}",
+            arguments.json
                 ? record::to_json(headed(wheelset_format).append(record_of(result, {.fields = false}))) + "\n"
                 : wheelset_text(result));
   warn(result.warnings);

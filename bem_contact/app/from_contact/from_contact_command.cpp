@@ -3,7 +3,8 @@
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/output_folder.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 
 #include <CLI/CLI.hpp>
@@ -59,30 +60,33 @@ std::string scene_of_case(const ContactCase& one, const std::filesystem::path& i
   return out;
 }
 
+std::string stem_of(const ContactCase& one, const std::filesystem::path& input) {
+  return fmt::format("{}_{:03}", input.stem().string(), one.first);
+}
+
 /// Writes the scene of a case with its tables. False where it has none; says what was left out.
-bool write_case(const ContactCase& one, const std::filesystem::path& input,
-                const std::filesystem::path& folder) {
-  const std::string stem = fmt::format("{}_{:03}", input.stem().string(), one.first);
+bool write_case(const ContactCase& one, const std::filesystem::path& input, OutputFolder& folder) {
+  const std::string stem = stem_of(one, input);
   const std::string name = one.first == one.last ? fmt::format("case {}", one.first)
                                                  : fmt::format("cases {} to {}", one.first, one.last);
   for (const std::string& sentence : one.refused)
-    fmt::print("{} (line {}): no scene: {}\n", name, one.line, sentence);
+    print_out("{} (line {}): no scene: {}\n", name, one.line, sentence);
   if (!one.refused.empty())
     return false;
   for (const SceneTableFile& table : one.tables)
-    write_text(folder / fmt::format("{}_{}.csv", stem, table.key.substr(table.key.find('.') + 1)),
-               [&](std::ostream& out) { out << table.text; });
-  const std::string text = scene_of_case(one, input, folder, stem);
+    folder.write(fmt::format("{}_{}.csv", stem, table.key.substr(table.key.find('.') + 1)),
+                 [&](std::ostream& out) { out << table.text; });
+  const std::string text = scene_of_case(one, input, folder.path(), stem);
   try {
-    parse_scene_file({text, stem + ".toml", folder});
+    parse_scene_file({text, stem + ".toml", folder.path()});
   } catch (const InputError& error) {
-    fmt::print("{} (line {}): no scene: {}\n", name, one.line, error.what());
+    print_out("{} (line {}): no scene: {}\n", name, one.line, error.what());
     return false;
   }
-  write_text(folder / (stem + ".toml"), [&](std::ostream& out) { out << text; });
-  fmt::print("{}: {}.toml\n", name, stem);
+  folder.write(stem + ".toml", [&](std::ostream& out) { out << text; });
+  print_out("{}: {}.toml\n", name, stem);
   for (const std::string& sentence : one.left_out)
-    fmt::print("    left out: {}\n", sentence);
+    print_out("    left out: {}\n", sentence);
   return true;
 }
 
@@ -100,14 +104,13 @@ Command add_from_contact(CLI::App& program) {
   line->footer(from_contact_help);
   return {line, [arguments] {
             const std::vector<ContactCase> cases = read_contact_cases(arguments->input);
-            std::error_code failed;
-            std::filesystem::create_directories(arguments->folder, failed);
-            if (failed)
-              throw InputError(fmt::format("The folder '{}' cannot be made", arguments->folder.string()),
-                               failed.message(), "Give another one.");
+            OutputFolder folder(arguments->folder,
+                                {.maker = "from-contact", .alone = false, .inputs = {arguments->input}});
+            for (const ContactCase& one : cases) // before one is written
+              folder.require(stem_of(one, arguments->input) + ".toml");
             std::size_t without = 0;
             for (const ContactCase& one : cases)
-              without += !write_case(one, arguments->input, arguments->folder);
+              without += !write_case(one, arguments->input, folder);
             if (without == 0)
               return success;
             spdlog::error("{} of {} without a scene (see above)", without,

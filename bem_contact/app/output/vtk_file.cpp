@@ -36,12 +36,11 @@ void write(std::ostream& out, const SceneResult& result) {
   const ContactResult& r = result.result;
   const std::string extent = fmt::format("0 {} 0 {} 0 0", grid.mx, grid.ms);
   fmt::print(out,
-             "<?xml version=\"1.0\"?>\n"
-             "<!-- bem_contact, model {}: x rolling direction, y right, z DOWN (mm); tractions on the rail, "
+             "{}{}: x rolling direction, y right, z DOWN (mm); tractions on the rail, "
              "MPa -->\n"
              "<VTKFile type=\"StructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
              "<StructuredGrid WholeExtent=\"{}\">\n<Piece Extent=\"{}\">\n<Points>\n",
-             name_of(result.choice.model), extent, extent);
+             surface_begin, name_of(result.choice.model), extent, extent);
   const std::vector<Point2> edges = row_edges(problem);
   const int columns = grid.mx + 1;
   data_array(out, "points", 3, columns * (grid.ms + 1), [&](int i, int c) {

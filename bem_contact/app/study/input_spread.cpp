@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/output_folder.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/profile/noisy_profile.hpp"
 #include "bem_contact/profile/read_profile.hpp"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <optional>
 #include <ostream>
 #include <sstream>
 
@@ -22,23 +24,32 @@ namespace {
 /// 1. A drawn coefficient of friction is no smaller: nothing rolls on less.
 constexpr double least_drawn_friction = 0.01;
 
+/// Of one draw.
+struct DrawFolder {
+  std::filesystem::path path;
+  OutputFolder* made; ///< null: this process does not solve it
+};
+
 void add_noisy_profile(const char* name, const SceneFile::Side& side, ProfileKind kind,
-                       const SceneFile& scene, const std::filesystem::path& folder, double noise,
-                       NormalDraws& draws, std::vector<SceneChange>& changes) {
+                       const SceneFile& scene, const DrawFolder& folder, double noise, NormalDraws& draws,
+                       std::vector<SceneChange>& changes) {
   const std::vector<Point2> points =
       noisy_points(named_profile(side.profile, kind, scene.folder, side.reading), noise, draws);
-  const std::filesystem::path file = std::filesystem::absolute(folder / fmt::format("{}.txt", name));
-  if (std::filesystem::is_directory(folder))
-    wear::write_profile(file, points);
+  const std::string file_name = fmt::format("{}.txt", name);
+  const std::filesystem::path file = std::filesystem::absolute(folder.path / file_name);
+  if (folder.made) {
+    wear::write_profile(folder.made->take(file_name), points);
+    folder.made->done(file_name);
+  }
   changes.push_back({fmt::format("{}.profile", name), file.string()});
   changes.push_back({fmt::format("{}.profile_z", name), std::string("down")});
   changes.push_back({fmt::format("{}.smoothing", name), smoothing_of(points, side.reading.smoothing)});
 }
 
 /// What a draw changes. Each draw takes the same count of random numbers for the same inputs. Drawn profiles
-/// are written where the folder is there.
+/// are written where the draw is solved.
 std::vector<SceneChange> changes_of_draw(const StudyCase& study, const SceneFile& scene,
-                                         const std::filesystem::path& folder, NormalDraws& draws) {
+                                         const DrawFolder& folder, NormalDraws& draws) {
   const Uncertainty& u = study.uncertainty;
   std::vector<SceneChange> out;
   if (u.friction > 0)
@@ -126,15 +137,20 @@ std::vector<std::vector<PartResult>> solve_draws(const StudyCase& study, const S
   for (int k = 1; k <= study.uncertainty.draws; ++k) {
     const std::filesystem::path folder = where.parts() / "draws" / fmt::format("{:04}", k);
     const std::filesystem::path file = folder / "scene.toml";
-    if (wanted(k))
-      make_study_folder({file, folder});
-    const std::vector<SceneChange> changes = changes_of_draw(study, scene, folder, draws);
+    std::optional<OutputFolder> made;
     if (wanted(k)) {
+      make_folder(folder.parent_path());
+      made.emplace(folder, FolderUse{.maker = study_maker, .list = "draw", .inputs = where.inputs});
+    }
+    const std::vector<SceneChange> changes =
+        changes_of_draw(study, scene, {folder, made ? &*made : nullptr}, draws);
+    if (made) {
+      const StudyFolder drawn_folder{file, folder, where.jobs, parts, where.program, where.inputs};
+      make_study_folder(drawn_folder);
       const std::string_view dropped[] = {"uncertainty", "influence"};
       const std::string drawn = changed_text(text, changes, dropped);
-      write_whole(file, [&](std::ostream& to) { to << drawn; });
-      out.push_back(run_parts(study_case(read_scene_text(file)), {file, folder, where.jobs, parts}, said,
-                              [](const auto&) {}));
+      made->write("scene.toml", [&](std::ostream& to) { to << drawn; });
+      out.push_back(run_parts(study_case(read_scene_text(file)), drawn_folder, said, [](const auto&) {}));
     }
     progress.step();
   }

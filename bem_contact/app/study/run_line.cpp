@@ -3,6 +3,7 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/run_program.hpp"
 #include "bem_contact/base/child_process.hpp"
+#include "bem_contact/base/printable.hpp"
 
 #include <cerrno>
 #include <cstdio>
@@ -24,7 +25,7 @@ void take_line(const std::string& text, LineOutcome& outcome, std::set<std::stri
   keep("warning: ", outcome.warnings);
   const bool message = text.starts_with("info: ") || text.starts_with("warning: ");
   if (!message || said.insert(text).second)
-    fmt::print(stderr, "{}\n", text);
+    print_error("{}\n", text);
 }
 
 LineOutcome in_process(const std::filesystem::path& text, std::set<std::string>& said,
@@ -64,8 +65,8 @@ LineOutcome run_other(const std::vector<std::string>& words, const std::filesyst
                       std::set<std::string>& said) {
   return in_process(text, said, [&] {
     ProgramLine(words).become();
-    fmt::print(stderr, "error: '{}' cannot be started ({}) Give influence.program a program that is there.\n",
-               words.front(), std::strerror(errno));
+    print_error("error: '{}' cannot be started ({}) Give influence.program a program that is there.\n",
+                words.front(), std::strerror(errno));
     return static_cast<int>(wrong_input);
   });
 }

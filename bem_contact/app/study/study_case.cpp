@@ -39,7 +39,7 @@ constexpr std::string_view zero_is_none[] = {"track.curve_radius", "motion.speed
 
 toml::table parsed(const std::string& text, const std::string& source) {
   try {
-    return toml::parse(text, source);
+    return parse_toml(text, source);
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}: {}", source, error.source().begin.line, error.description()),
                      "the file is not valid TOML", "Correct the line.");

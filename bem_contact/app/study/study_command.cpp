@@ -1,10 +1,14 @@
 #include "bem_contact/app/command.hpp"
+#include "bem_contact/app/scene_options.hpp"
 #include "bem_contact/app/study/input_spread.hpp"
 #include "bem_contact/app/study/study_parts.hpp"
 #include "bem_contact/app/study/study_record.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/file_lock.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/output_folder.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/record/error_text.hpp"
 #include "bem_contact/record/hdf5.hpp"
@@ -15,6 +19,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <iterator>
 #include <memory>
 
 namespace bem_contact::app {
@@ -42,10 +47,13 @@ finds them in the folder. [influence] comes first, then [wheelset]; all others m
 
 Exit code: the worst of the parts. 0: all is certified; 2: a part is refused; 3: a part is not certified.)";
 
+constexpr const char *study_file = "study.h5", *study_page = "study.html", *study_table = "study.csv";
+
 struct StudyArguments {
   std::string scene;
   std::filesystem::path folder;
   int jobs = 0;
+  std::string influence; ///< program; "": tools/influence, and no other
   std::vector<std::string> only;
   bool list = false;
 };
@@ -76,10 +84,10 @@ std::string taken_text(const SceneText& scene) {
 }
 
 void print_part(const PartResult& result) {
-  fmt::print("{:13} {:14} {}\n", result.part->name, status_of(result),
-             result.kept ? "as it was" : duration_text(result.seconds));
+  print_out("{:13} {:14} {}\n", result.part->name, status_of(result),
+            result.kept ? "as it was" : duration_text(result.seconds));
   for (const std::string& error : result.errors)
-    fmt::print("{:13} {}\n", "", error);
+    print_out("{:13} {}\n", "", error);
   std::fflush(stdout);
 }
 
@@ -113,6 +121,22 @@ bool write_page_of(const std::filesystem::path& file, const std::filesystem::pat
   }
 }
 
+/// Files that must not be replaced.
+std::vector<std::filesystem::path> inputs_of_study(const StudyCase& study,
+                                                   const std::filesystem::path& scene) {
+  std::vector<std::filesystem::path> out{scene};
+  for (const std::string& body : {study.influence.rail, study.influence.wheel})
+    if (!body.empty())
+      out.push_back(study.text.folder / body);
+  try {
+    std::ranges::move(has_sweep(study.text) ? files_read(scene, parse_sweep_file(study.text))
+                                            : files_read(scene, parse_scene_file(study.text)),
+                      std::back_inserter(out));
+  } catch (const InputError&) { // the parts say it
+  }
+  return out;
+}
+
 int worst_of(const std::vector<PartResult>& results) {
   int worst = success;
   for (const PartResult& result : results)
@@ -127,6 +151,7 @@ ExitCode run_only(const StudyCase& study, StudyFolder where, const std::vector<s
     if (std::ranges::count(tasks, name) == 0)
       throw InputError(fmt::format("--only has '{}'", name), "the study has no such part",
                        fmt::format("It has {}.", fmt::join(tasks, ", ")));
+  where.inputs = inputs_of_study(study, where.scene);
   make_study_folder(where);
   std::set<std::string> said;
   where.wanted = only; // a draw is no part
@@ -139,20 +164,30 @@ ExitCode run_only(const StudyCase& study, StudyFolder where, const std::vector<s
 }
 
 ExitCode run_study(const StudyArguments& arguments) {
-  const StudyCase study = study_case(read_scene_text(arguments.scene));
+  StudyCase study = study_case(read_scene_text(arguments.scene));
   if (arguments.list) {
-    fmt::print("{}\n", fmt::join(tasks_of(study), "\n"));
+    print_out("{}\n", fmt::join(tasks_of(study), "\n"));
     return success;
   }
-  const StudyFolder where{arguments.scene, arguments.folder, arguments.jobs};
+  for (const auto& [table, key] : {std::pair{"influence", "program"}, {"wear", "influence"}})
+    require_repeated_program(study.text, table, key, arguments.influence);
+  StudyFolder where{arguments.scene, arguments.folder, arguments.jobs};
+  where.program = arguments.influence;
+  if (!where.program.empty())
+    study.influence.program = where.program;
   if (!arguments.only.empty())
     return run_only(study, where, arguments.only);
   const GivenScene given = given_for_study(study.text);
+  where.inputs = inputs_of_study(study, where.scene);
+  make_folder(where.folder);
+  OutputFolder made(where.folder, {.maker = study_maker, .alone = false, .inputs = where.inputs});
+  for (const char* name : {study_file, study_page, study_table})
+    made.require(name);
   make_study_folder(where);
   const LockFile lock(arguments.folder / ".study", "Wait for it, or give another folder.");
   if (!lock.warning().empty())
     warn({lock.warning()});
-  fmt::print("{}", taken_text(study.text));
+  print_out("{}", taken_text(study.text));
   std::fflush(stdout);
   std::set<std::string> said;
   const std::vector<PartResult> results = run_parts(study, where, said, print_part);
@@ -160,12 +195,17 @@ ExitCode run_study(const StudyArguments& arguments) {
   const bool drawn = study.uncertainty.asked();
   if (drawn)
     warn(draw_inputs(study, where, said, headline));
-  const std::filesystem::path file = arguments.folder / "study.h5", page = arguments.folder / "study.html";
+  const std::filesystem::path file = made.take(study_file);
   record::write_hdf5(file, study_record(given, file, results, headline));
-  const std::vector<std::string> tables = write_tables(arguments.folder, results, headline);
-  const bool has_page = write_page_of(file, page);
-  fmt::print("{}{}: {}study.h5, {}\n", headline_text(headline, drawn), arguments.folder.string(),
-             has_page ? "study.html, " : "", fmt::join(tables, ", "));
+  made.done(study_file);
+  const std::vector<std::string> tables = write_tables(made, results, headline);
+  const bool has_page = write_page_of(file, made.take(study_page));
+  made.done(study_page);
+  std::vector<std::string> kept = tables;
+  kept.insert(kept.end(), {study_file, study_page});
+  made.remove_others(kept); // of parts that the scene does not ask for any more
+  print_out("{}{}: {}study.h5, {}\n", headline_text(headline, drawn), arguments.folder.string(),
+            has_page ? "study.html, " : "", fmt::join(tables, ", "));
   return static_cast<ExitCode>(worst_of(results));
 }
 
@@ -178,6 +218,10 @@ Command add_study(CLI::App& program) {
   line->add_option("scene", arguments->scene, "Scene file (TOML) with a table for each answer")->required();
   add_output_option(*line, "-o,--output", arguments->folder, "Folder of the answers")->required();
   add_jobs(*line, arguments->jobs);
+  line->add_option(
+      "--influence", arguments->influence,
+      "Program that may be started for influence functions: called with a body file and the file "
+      "to write (default: tools/influence). One that the scene names must be repeated here");
   line->add_flag("--list", arguments->list, "Print the names of its parts and draws; nothing is computed");
   line->add_option("--only", arguments->only,
                    "Compute only these of --list; neither study.h5 nor a page is made")

@@ -2,10 +2,11 @@
 
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/study/run_line.hpp"
+#include "bem_contact/app/wear/wear_state.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/file_lock.hpp"
 #include "bem_contact/base/input_file.hpp"
-#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/output_folder.hpp"
 #include "bem_contact/base/sha256.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/record/hdf5.hpp"
@@ -47,7 +48,9 @@ constexpr Part parts_of_studies[] = {
 class PartRun {
 public:
   PartRun(const Part& part, const StudyCase& study, const StudyFolder& where)
-      : part_(part), study_(study), where_(where) {
+      : part_(part), study_(study), where_(where),
+        lock_(where.parts() / fmt::format(".{}", part.name), "Wait for it, or give another folder."),
+        made_(where.parts(), {.maker = study_maker, .list = part.name, .inputs = where.inputs}) {
     if (part.of_one_wheel && study.has("wheelset"))
       scene_ = where.parts() / "wheel.toml";
     else
@@ -55,34 +58,97 @@ public:
   }
 
   PartResult run(std::set<std::string>& said) {
-    const LockFile lock(where_.parts() / fmt::format(".{}", part_.name),
-                        "Wait for it, or give another folder.");
     PartResult out{.part = &part_, .file = file_of_result()};
     find_digests();
-    const nlohmann::json before = state();
-    if (!digest_.empty() && before.value("digest", "") == digest_ && may_stay(before.value("code", -1))) {
+    const State before = state();
+    if (!digest_.empty() && before.digest == digest_ && may_stay(before.code)) {
+      require_result_unchanged();
       out.kept = true;
-      take(before, out);
+      out.code = before.code;
+      out.seconds = before.seconds;
+      out.errors = before.errors;
+      out.warnings = before.warnings;
     } else {
-      if (before.value("base", "") != base_)
+      if (before.base != base_)
         remove_old();
-      write_state({{"base", base_}});
+      begin();
+      write_state({.base = base_});
       const Stopwatch watch;
       compute(out, said);
       out.seconds = watch.seconds();
-      write_state({{"base", base_},
-                   {"digest", digest_},
-                   {"code", out.code},
-                   {"seconds", out.seconds},
-                   {"errors", out.errors},
-                   {"warnings", out.warnings}});
+      for (const std::string& name : own_files())
+        if (made_.lists(name))
+          made_.done(name);
+      write_state({base_, digest_, out.code, out.seconds, out.errors, out.warnings});
     }
     if (!file_exists(out.file))
       out.file.clear();
     return out;
   }
 
+  /// What an earlier study has left of this part.
+  void remove_old() {
+    for (const std::string& name : own_files())
+      made_.remove(name);
+    made_.remove(state_name());
+    if (std::string_view(part_.name) == "wear")
+      remove_wear();
+    if (std::string_view(part_.name) == "sweep")
+      remove_parts_of_sweep(where_.parts() / (part_.name + std::string(".h5")));
+    for (const std::string& name : csv_files_beside())
+      OutputFolder(where_.folder, in_the_folder()).remove(name);
+  }
+
 private:
+  /// What is kept of a part in NAME.json.
+  struct State {
+    std::string base, digest = {};
+    int code = -1;
+    double seconds = 0;
+    std::vector<std::string> errors = {}, warnings = {};
+  };
+
+  std::string state_name() const { return part_.name + std::string(".json"); }
+  /// Of the result and of what was printed; a study of wear has a folder of its own.
+  std::vector<std::string> own_files() const {
+    return {part_.name + std::string(".txt"), part_.name + std::string(".h5")};
+  }
+  /// A sweep's tables lie in the folder of the answers.
+  std::vector<std::string> csv_files_beside() const {
+    return std::string_view(part_.name) == "sweep"
+               ? std::vector<std::string>{"sweep.csv", "sweep_patches.csv", "sweep_units.csv"}
+               : std::vector<std::string>{};
+  }
+  FolderUse in_the_folder() const {
+    return {.maker = study_maker, .list = part_.name, .alone = false, .inputs = where_.inputs};
+  }
+
+  void remove_wear() const {
+    const std::filesystem::path folder = where_.parts() / part_.name;
+    const FolderUse use{.maker = wear_maker};
+    if (OutputFolder::has_list(folder, use))
+      OutputFolder(folder, use).remove_all();
+  }
+
+  /// Whatever its command will write is ours, or not there.
+  void begin() {
+    for (const std::string& name : own_files())
+      made_.take(name);
+    if (!csv_files_beside().empty()) {
+      OutputFolder folder(where_.folder, in_the_folder());
+      for (const std::string& name : csv_files_beside())
+        folder.take(name);
+    }
+  }
+
+  /// A result that somebody has changed or replaced is neither used nor removed.
+  void require_result_unchanged() const {
+    if (is_wear_study())
+      OutputFolder(output(), {.maker = wear_maker}).require_unchanged();
+    else if (*part_.command)
+      made_.require(output().filename().string());
+  }
+
   bool is_wear_study() const { return std::string_view(part_.name) == "wear" && study_.has("sweep"); }
   std::filesystem::path output() const {
     return where_.parts() / fmt::format("{}{}", part_.name, is_wear_study() ? "" : ".h5");
@@ -117,21 +183,26 @@ private:
     return sha256(all);
   }
 
-  nlohmann::json state() const {
-    if (!is_regular(beside("json")))
-      return nlohmann::json::object();
-    const auto read =
-        nlohmann::json::parse(read_text_file(beside("json").string(), "state of a part"), nullptr, false);
-    return read.is_object() ? read : nlohmann::json::object();
+  /// Empty where there is none, or another than was written: then the part is computed again.
+  State state() {
+    if (made_.lists(state_name()) && is_regular(beside("json")) && !made_.owns(state_name()))
+      made_.adopt(state_name());
+    else if (made_.owns(state_name()))
+      try {
+        const auto read = nlohmann::json::parse(read_text_file(beside("json").string(), "state of a part"));
+        return {read.at("base"),    read.at("digest"), read.at("code"),
+                read.at("seconds"), read.at("errors"), read.at("warnings")};
+      } catch (const nlohmann::json::exception&) { // a kill left it unfinished
+      }
+    return {};
   }
-  void write_state(const nlohmann::json& state) const {
-    write_whole(beside("json"), [&](std::ostream& out) { out << state.dump(2) << '\n'; });
-  }
-  static void take(const nlohmann::json& state, PartResult& out) {
-    out.code = state.value("code", 0);
-    out.errors = state.value("errors", std::vector<std::string>());
-    out.warnings = state.value("warnings", std::vector<std::string>());
-    out.seconds = state.value("seconds", 0.0);
+  void write_state(const State& state) {
+    const nlohmann::json all{{"base", state.base},     {"digest", state.digest},
+                             {"code", state.code},     {"seconds", state.seconds},
+                             {"errors", state.errors}, {"warnings", state.warnings}};
+    made_.write(state_name(), [&](std::ostream& out) {
+      out << all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    });
   }
 
   /// What was refused costs little, and the reason may lie in what no digest holds. A part that
@@ -143,15 +214,6 @@ private:
   bool influence_is_there() const {
     return std::ranges::all_of(influence_files(),
                                [](const auto& named) { return file_exists(named.second); });
-  }
-
-  /// What an earlier study has left of this part.
-  void remove_old() const {
-    for (const auto& entry : std::filesystem::directory_iterator(where_.parts())) {
-      const std::string name = entry.path().filename().string();
-      if (name == part_.name || name.starts_with(fmt::format("{}.", part_.name)))
-        std::filesystem::remove_all(entry.path());
-    }
   }
 
   void compute(PartResult& out, std::set<std::string>& said) const {
@@ -167,12 +229,19 @@ private:
     std::vector<std::string> words{part_.command, scene_.string(), "-o", output().string()};
     if (part_.has_jobs && where_.jobs > 0) // else as the command has it
       words.insert(words.end(), {"--jobs", fmt::format("{}", where_.jobs)});
+    if (std::string_view(part_.name) == "wear" && !where_.program.empty())
+      words.insert(words.end(), {"--influence", where_.program});
     if (std::string_view(part_.name) == "sweep")
       words.insert(words.end(), {"--csv", (where_.folder / "sweep.csv").string()});
     const LineOutcome line = run_line(words, beside("txt"), said);
     out.code = line.code;
     out.errors = line.errors;
     out.warnings = line.warnings;
+    if (csv_files_beside().empty())
+      return;
+    OutputFolder folder(where_.folder, in_the_folder());
+    for (const std::string& name : csv_files_beside())
+      folder.done(name);
   }
 
   /// Body files and the influence files that the scene names for them.
@@ -212,32 +281,48 @@ private:
   const Part& part_;
   const StudyCase& study_;
   const StudyFolder& where_;
+  LockFile lock_;
+  OutputFolder made_;
   std::filesystem::path scene_;
   std::string digest_, base_;
 };
 
 /// The scene of one wheel, for the parts that take one. It stays as it is where nothing has changed.
 void write_wheel(const StudyCase& study, const StudyFolder& where, const PartResult& wheelset) {
-  const std::filesystem::path file = where.parts() / "wheel.toml";
+  const std::string name = "wheel.toml";
+  OutputFolder made(where.parts(), {.maker = study_maker, .list = "wheel", .inputs = where.inputs});
   if (wheelset.file.empty()) {
-    std::filesystem::remove(file);
+    made.remove(name);
     return;
   }
   const std::string_view dropped[] = {"sweep"}; // its cases are wheelsets
   const std::string text = changed_text(
       {wheel_text(study.text, record::read_hdf5(wheelset.file)), study.text.source, study.text.folder}, {},
       dropped);
-  write_whole(file, [&](std::ostream& out) { out << text; });
+  made.write(name, [&](std::ostream& out) { out << text; });
+}
+
+/// What is left of parts that the scene does not ask for any more.
+void remove_parts_of_before(const StudyCase& study, const StudyFolder& where) {
+  for (const Part& part : all_parts())
+    if (!part.asked(study) &&
+        OutputFolder::has_list(where.parts(), {.maker = study_maker, .list = part.name}))
+      PartRun(part, study, where).remove_old();
 }
 
 } // namespace
 
 void make_study_folder(const StudyFolder& where) {
-  std::error_code failed;
-  std::filesystem::create_directories(where.parts(), failed);
-  if (failed)
-    throw InputError(fmt::format("The folder '{}' cannot be made", where.folder.string()), failed.message(),
-                     "Give another one.");
+  const OutputFolder parts(where.parts(), {.maker = study_maker});
+  std::error_code unknown;
+  const std::filesystem::path whole = std::filesystem::weakly_canonical(parts.path(), unknown);
+  for (const std::filesystem::path& input : where.inputs) {
+    if (std::filesystem::weakly_canonical(input, unknown).parent_path() == whole)
+      throw InputError(
+          fmt::format("The study would overwrite '{}'", input.string()),
+          fmt::format("it lies in '{}', where the parts of the study are written", parts.path().string()),
+          "Give another folder, or move the file.");
+  }
 }
 
 std::span<const Part> all_parts() {
@@ -267,6 +352,8 @@ std::vector<PartResult> run_parts(const StudyCase& study, const StudyFolder& whe
                                   std::set<std::string>& said,
                                   const std::function<void(const PartResult&)>& tell) {
   std::vector<PartResult> out;
+  if (where.wanted.empty())
+    remove_parts_of_before(study, where);
   for (const Part& part : all_parts()) {
     const bool wanted = where.wanted.empty() || std::ranges::count(where.wanted, part.name) > 0;
     if (!part.asked(study) || !wanted)

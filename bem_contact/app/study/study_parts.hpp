@@ -46,11 +46,17 @@ struct StudyFolder {
   std::filesystem::path folder;         ///< of the answers
   int jobs = 0;                         ///< processes of a part; 0: what its command takes by itself
   std::vector<std::string> wanted = {}; ///< parts; empty: all that the scene asks for
+  std::string program = {};             ///< of the option --influence; "": none
+  std::vector<std::filesystem::path> inputs = {}; ///< files that the scene names, and its own
 
   std::filesystem::path parts() const { return folder / "parts"; }
 };
 
-/// Makes the folders. Throws InputError where they cannot be made.
+/// The name under which studies list what they have written (base/output_folder.hpp).
+inline constexpr const char* study_maker = "study";
+
+/// Makes the folders. Throws InputError where they cannot be made, and where `parts` holds something that no
+/// study has made.
 void make_study_folder(const StudyFolder& where);
 
 /// Runs each part that is asked for and is not there yet. `tell` is called after each. `said`: messages that

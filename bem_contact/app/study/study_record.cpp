@@ -247,12 +247,11 @@ record::Record study_record(const GivenScene& given, const std::filesystem::path
   return out.add("parts", std::move(parts));
 }
 
-std::vector<std::string> write_tables(const std::filesystem::path& folder,
-                                      const std::vector<PartResult>& results,
+std::vector<std::string> write_tables(OutputFolder& folder, const std::vector<PartResult>& results,
                                       const std::vector<HeadlineNumber>& headline) {
   std::vector<std::string> names;
   const auto write = [&](std::string name, const std::function<void(std::ostream&)>& lines) {
-    write_text(folder / (name += ".csv"), lines);
+    folder.write(name += ".csv", lines);
     names.push_back(name);
   };
   for (const PartResult& result : results) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/app/study/study_parts.hpp"
+#include "bem_contact/base/output_folder.hpp"
 #include "bem_contact/record/record.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 
@@ -34,8 +35,7 @@ record::Record study_record(const GivenScene& given, const std::filesystem::path
 
 /// One CSV file for each table of numbers that the parts have, and study.csv with the headline. Returns their
 /// names.
-std::vector<std::string> write_tables(const std::filesystem::path& folder,
-                                      const std::vector<PartResult>& results,
+std::vector<std::string> write_tables(OutputFolder& folder, const std::vector<PartResult>& results,
                                       const std::vector<HeadlineNumber>& headline);
 
 } // namespace bem_contact::app

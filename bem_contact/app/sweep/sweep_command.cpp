@@ -7,6 +7,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/record/file_kinds.hpp"
@@ -125,8 +126,8 @@ void check_outputs(const SweepFile& sweep, const SweepRequest& request,
   std::ranges::copy(files_read(request.scene, sweep), std::back_inserter(inputs));
   require_named_outputs(inputs, {{"--output", request.output, OutputForm::whole_file, true},
                                  {"--csv", request.csv},
-                                 {"--csv", csv.patches},
-                                 {"--csv", csv.units}});
+                                 {.option = "--csv", .file = csv.patches, .begins_with = patches_begin},
+                                 {.option = "--csv", .file = csv.units, .begins_with = units_begin}});
 }
 
 AskedSweep asked_sweep(const SweepRequest& request, SweepFile sweep) {
@@ -151,7 +152,7 @@ ExitCode say_what_was_found(const AskedSweep& asked, const SweepRequest& request
   if (!request.csv.empty())
     write_csv(csv_files(request.csv), asked.sweep, asked.columns(), file);
   const SweepSummary summary = sweep_summary(file, asked.sweep.size(), head);
-  fmt::print("{}", summary.text);
+  print_out("{}", summary.text);
   return summary.certified ? success : no_convergence;
 }
 
@@ -159,16 +160,17 @@ ExitCode say_what_was_found(const AskedSweep& asked, const SweepRequest& request
 ExitCode run_part(const SweepRequest& request, SweepFile sweep) {
   const CaseRange cases = range_of(request.cases, sweep.size());
   check_outputs(sweep, request, {});
+  require_replaceable(request.output, sweep_part_format, "a part of a sweep");
   check_values(sweep, cases);
   const AskedSweep asked = asked_sweep(request, std::move(sweep));
   Progress progress("cases", cases.size());
   solve_part(asked, cases, shared_files(), output_target(request.output, OutputForm::whole_file).file,
              std::numeric_limits<double>::infinity(), [&] { progress.step(); });
   progress.finish();
-  fmt::print("{}", sweep_summary(
-                       H5Reader(request.output), cases.size(),
-                       fmt::format("cases {} to {} of {}: ", cases.first, cases.last - 1, asked.sweep.size()))
-                       .text);
+  print_out("{}", sweep_summary(
+                      H5Reader(request.output), cases.size(),
+                      fmt::format("cases {} to {} of {}: ", cases.first, cases.last - 1, asked.sweep.size()))
+                      .text);
   return success;
 }
 
@@ -183,11 +185,11 @@ std::string shell_word(const std::string& word) {
 /// With the command that solves each.
 void print_missing(const SweepRequest& request, const std::vector<CaseRange>& missing) {
   if (!missing.empty())
-    fmt::print("These commands solve the cases that are missing:\n");
+    print_out("These commands solve the cases that are missing:\n");
   for (const CaseRange& cases : missing)
-    fmt::print("    bem_contact sweep {} -o cases_{}_{}.h5 --cases {}:{}{}{}\n", shell_word(request.scene),
-               cases.first, cases.last, cases.first, cases.last,
-               request.model.empty() ? "" : " --model " + request.model, request.strict ? " --strict" : "");
+    print_out("    bem_contact sweep {} -o cases_{}_{}.h5 --cases {}:{}{}{}\n", shell_word(request.scene),
+              cases.first, cases.last, cases.first, cases.last,
+              request.model.empty() ? "" : " --model " + request.model, request.strict ? " --strict" : "");
 }
 
 void require_all_cases(const SweepRequest& request, const std::vector<CaseRange>& missing) {
@@ -213,8 +215,10 @@ void join_whole_parts(const AskedSweep& asked, const std::vector<SweepPart>& par
 }
 
 ExitCode run_join(const SweepRequest& request, SweepFile sweep) {
-  const std::vector<std::filesystem::path> names(request.parts.begin(), request.parts.end());
+  const std::vector<std::filesystem::path> names =
+      files_of_parts({request.parts.begin(), request.parts.end()});
   check_outputs(sweep, request, names);
+  require_replaceable(request.output, sweep_format, "the cases of a sweep");
   say_what_is_kept(sweep);
   const AskedSweep asked = asked_sweep(request, std::move(sweep));
   const std::vector<SweepPart> parts = read_parts(asked, names);
@@ -264,7 +268,7 @@ ExitCode run_sweep(const SweepRequest& request) {
     refuse_gone(request);
   SweepFile sweep = read_sweep_file(request.scene);
   if (request.count) {
-    fmt::print("{}\n", sweep.size());
+    print_out("{}\n", sweep.size());
     return success;
   }
   if (request.damaged)

@@ -109,7 +109,7 @@ void print_cases(std::ostream& out, const SweepFile& sweep, const std::vector<Sw
 
 void print_patches(std::ostream& out, const SweepFile& sweep, const std::vector<SweepColumn>& columns,
                    const H5Reader& file) {
-  fmt::print(out, "case,patch");
+  out << patches_begin;
   print_axes(out, sweep);
   fmt::print(out, ",status");
   print_names(out, columns);
@@ -135,7 +135,7 @@ void print_patches(std::ostream& out, const SweepFile& sweep, const std::vector<
 }
 
 void print_units(std::ostream& out, const SweepFile& sweep, const SweepColumns& columns) {
-  fmt::print(out, "table,name,unit,description\n");
+  out << units_begin;
   std::vector<const char*> tables{"cases"};
   if (!columns.patches.empty())
     tables.push_back("patches");
@@ -159,16 +159,10 @@ void print_units(std::ostream& out, const SweepFile& sweep, const SweepColumns& 
 } // namespace
 
 void require_csv_texts(const SweepFile& sweep) {
-  const auto is_control = [](unsigned char c) { return std::iscntrl(c) != 0; };
   for (const SweepFile::Axis& axis : sweep.axes)
     for (const SchemaValue& value : axis.values)
       if (const auto* text = std::get_if<std::string>(&value))
-        if (record::is_formula(*text) || std::ranges::any_of(*text, is_control))
-          throw InputError(fmt::format("{} = {} cannot be a cell of --csv", axis.key, toml_text(*text)),
-                           record::is_formula(*text)
-                               ? "a spreadsheet takes what begins with = + - @ as a formula"
-                               : "tables have one line for each case",
-                           "Give the file another name, or leave out --csv.");
+        record::require_cell(*text, axis.key);
 }
 
 CsvFiles csv_files(const std::filesystem::path& csv) {

@@ -7,6 +7,9 @@
 
 namespace bem_contact::app {
 
+/// How the tables of patches and of units begin, by which one of a former run is known.
+inline constexpr const char *patches_begin = "case,patch", *units_begin = "table,name,unit,description\n";
+
 /// The CSV files of a sweep. For S.csv: S_patches.csv and S_units.csv beside it; of a device or a pipe they
 /// are left out ("").
 struct CsvFiles {

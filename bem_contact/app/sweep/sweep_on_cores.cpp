@@ -21,6 +21,8 @@
 #include <ostream>
 #include <random>
 #include <spdlog/spdlog.h>
+#include <string_view>
+#include <system_error>
 
 namespace bem_contact::app {
 
@@ -32,12 +34,44 @@ constexpr const char* lock_name = "lock";
 constexpr const char* size_name = "size"; ///< of the file that says how many cases a part has
 constexpr int out_of_memory = 64;         ///< exit code of a child; none of ExitCode
 
-/// Whether a file of the folder has a name of ours: "000012.h5", or that of one that is not finished,
-/// "000012.h5.tmp77".
+/// Whether a file of the folder has a name of ours: "000012.h5".
 bool is_numbered(const fs::path& file) {
   const std::string name = file.filename().string();
   const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
-  return digits > 0 && name.compare(digits, 3, ".h5") == 0;
+  return digits > 0 && name.substr(digits) == ".h5";
+}
+
+/// Or that of one that is not finished: "000012.h5.tmp77".
+bool is_unfinished(const fs::path& file) {
+  const std::string ending = file.extension().string();
+  constexpr std::string_view begin = ".tmp";
+  return is_numbered(file.stem()) && ending.starts_with(begin) && ending.size() > begin.size() &&
+         ending.find_first_not_of("0123456789", begin.size()) == ending.npos;
+}
+
+/// All files there; none where it cannot be looked into.
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> out;
+  std::error_code failed;
+  for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed))
+    out.push_back(at->path());
+  if (failed == std::errc::permission_denied)
+    throw InputError(fmt::format("The folder '{}' cannot be read", folder.string()), failed.message(),
+                     "Look at its rights, or give another output.");
+  if (failed)
+    throw Error(fmt::format("The folder '{}' cannot be read", folder.string()), failed.message(),
+                "Look at the disk and at the limits of this process (ulimit -n).");
+  return out;
+}
+
+void remove_file(const fs::path& file) {
+  std::error_code ignored;
+  fs::remove(file, ignored);
+}
+
+bool has_bytes(const fs::path& file) {
+  std::error_code unknown;
+  return is_regular(file) && fs::file_size(file, unknown) > 0 && !unknown;
 }
 
 /// Always in the same order.
@@ -201,6 +235,7 @@ PartsFolder::PartsFolder(const AskedSweep& asked, const fs::path& output)
   lock_.emplace(folder_ / lock_name, "Wait for it, or give another output.");
   if (!lock_->warning().empty())
     warn({lock_->warning()});
+  require_own_size();
   remove_unfinished();
 }
 
@@ -216,10 +251,8 @@ fs::path PartsFolder::file(std::size_t first_case) const {
 
 std::vector<SweepPart> PartsFolder::parts() const {
   std::vector<fs::path> names;
-  for (const auto& entry : fs::directory_iterator(folder_))
-    if (const fs::path& name = entry.path(); is_numbered(name) && name.extension() == ".h5" &&
-                                             is_regular(name) &&
-                                             fs::file_size(name) > 0) // a crash of the machine may leave none
+  for (const fs::path& name : files_in(folder_))
+    if (is_numbered(name) && has_bytes(name)) // a crash of the machine may leave none
       names.push_back(name);
   return read_parts(asked_, names);
 }
@@ -236,18 +269,41 @@ void PartsFolder::keep_size(std::size_t size) const {
 
 void PartsFolder::clear(const std::vector<SweepPart>& parts) const {
   for (const SweepPart& part : parts)
-    fs::remove(part.file);
+    remove_file(part.file);
   if (size() > 0)
-    fs::remove(folder_ / size_name);
+    remove_file(folder_ / size_name);
   remove_unfinished();
 }
 
 /// What killed processes were writing: no other process works here.
 void PartsFolder::remove_unfinished() const {
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder_, ignored))
-    if (is_numbered(entry.path()) && entry.path().extension().string().starts_with(".tmp"))
-      fs::remove(entry.path(), ignored);
+  for (const fs::path& file : files_in(folder_))
+    if (is_unfinished(file))
+      remove_file(file);
+}
+
+/// The file that it would replace has one number.
+void PartsFolder::require_own_size() const {
+  const fs::path file = folder_ / size_name;
+  std::error_code unknown;
+  const bool there = fs::exists(fs::symlink_status(file, unknown));
+  if (there && (fs::is_symlink(fs::symlink_status(file, unknown)) || !is_regular(file) ||
+                (has_bytes(file) && size() == 0)))
+    throw InputError(fmt::format("The file '{}' would be replaced", file.string()),
+                     "it is not the size of parts that a sweep has written there",
+                     "Move it, or give another output.");
+}
+
+void remove_parts_of_sweep(const fs::path& output) {
+  const fs::path folder = output.string() + ".parts";
+  std::error_code unknown;
+  if (!fs::is_directory(folder, unknown))
+    return;
+  const LockFile lock(folder / lock_name, "Wait for it, or give another output.");
+  for (const fs::path& file : files_in(folder))
+    if (is_unfinished(file) || (is_numbered(file) && is_part_of_sweep(file)) ||
+        (file.filename() == size_name && is_regular(file)))
+      remove_file(file);
 }
 
 PartSolver part_solver(const AskedSweep& asked) {

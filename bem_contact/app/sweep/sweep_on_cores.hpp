@@ -33,12 +33,17 @@ public:
   void clear(const std::vector<SweepPart>& parts) const;
 
 private:
+  void require_own_size() const;
   void remove_unfinished() const;
 
   const AskedSweep& asked_;
   std::filesystem::path folder_;
   std::optional<LockFile> lock_;
 };
+
+/// Removes the parts of a sweep whose output will not be made any more, and nothing else that lies beside
+/// them.
+void remove_parts_of_sweep(const std::filesystem::path& output);
 
 /// What was solved on this machine.
 struct SolvedParts {

@@ -2,6 +2,7 @@
 
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/json.hpp"
@@ -86,10 +87,10 @@ ExitCode wear_of_one_contact(const OneContactWear& asked) {
   if (!asked.output.empty())
     record::write_hdf5(asked.output, record_of_all(headed(contact_wear_format, given, asked.output), all));
   if (asked.json)
-    fmt::print("{}\n", record::to_json(record_of_all(headed(contact_wear_format), all)));
+    print_out("{}\n", record::to_json(record_of_all(headed(contact_wear_format), all)));
   else
     for (const WornContact& w : all)
-      fmt::print("{}", text_of(w));
+      print_out("{}", text_of(w));
   return success;
 }
 

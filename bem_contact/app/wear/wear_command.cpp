@@ -1,4 +1,5 @@
 #include "bem_contact/app/command.hpp"
+#include "bem_contact/app/scene_options.hpp"
 #include "bem_contact/app/sweep/numbers_by_children.hpp"
 #include "bem_contact/app/wear/one_contact.hpp"
 #include "bem_contact/app/wear/wear_influence.hpp"
@@ -7,7 +8,8 @@
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/file_lock.hpp"
-#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/output_folder.hpp"
+#include "bem_contact/base/printable.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/record/error_text.hpp"
@@ -66,10 +68,10 @@ struct WearArguments {
 };
 
 void print_step(const wear::WearRow& row) {
-  fmt::print("step {:g}: {:.4g} km, rail {:.4f} mm deep, {:.4f} mm2; wheel {:.4f} mm deep, {:.4f} mm2; "
-             "smoothed at {:.2f} mm, {:.1f} % off the deepest place\n",
-             row.step, row.mileage, row.rail_depth, row.rail_area, row.wheel_depth, row.wheel_area,
-             row.smoothing, 100 * row.smoothed_off);
+  print_out("step {:g}: {:.4g} km, rail {:.4f} mm deep, {:.4f} mm2; wheel {:.4f} mm deep, {:.4f} mm2; "
+            "smoothed at {:.2f} mm, {:.1f} % off the deepest place\n",
+            row.step, row.mileage, row.rail_depth, row.rail_area, row.wheel_depth, row.wheel_area,
+            row.smoothing, 100 * row.smoothed_off);
   std::fflush(stdout);
 }
 
@@ -104,6 +106,7 @@ ExitCode study(const WearArguments& arguments, const SceneText& scene);
 ExitCode run(const WearArguments& arguments) {
   const SceneText scene = read_scene_text(arguments.scene);
   const bool is_study = has_sweep(scene);
+  require_repeated_program(scene, "wear", "influence", arguments.influence);
   require_folder(arguments, is_study);
   if (arguments.study.law == "archard" && arguments.study.speed < least_speed)
     warn({fmt::format("--speed {:g} mm/s is below walking pace: give it in mm/s", arguments.study.speed)});
@@ -165,25 +168,25 @@ ExitCode study(const WearArguments& arguments, const SceneText& scene) {
   wear::Study study = wear::study_of(sweep, arguments.model, arguments.study);
   const std::string digest = digest_of(sweep, arguments.digest_text(study.scene().wear));
   const std::filesystem::path folder = arguments.output;
-  make_folder(folder);
+  OutputFolder made(folder, {.maker = wear_maker, .inputs = files_read(arguments.scene, sweep)});
   if (arguments.jobs != 1)
     study.options.solve = wear_by_children(study, folder, arguments.jobs);
   const LockFile lock(folder / lock_file_name, "Wait for it, or give another folder.");
   if (!lock.warning().empty())
     warn({lock.warning()});
   const wear::WornPair unworn = wear::unworn(study.scene());
-  WearState state = read_wear(folder, digest).value_or(WearState{});
+  WearState state = read_wear(made, digest).value_or(WearState{});
   WearInfluence influence(study.scene(), unworn, folder, arguments.influence);
   const Stopwatch watch;
   const auto keep = [&](const wear::WornPair& pair) {
     state.pair = pair;
     state.history.push_back(wear::history_row(state.step() + 1, pair, study.scene().position.wheel_radius));
-    write_wear(folder, digest, state);
+    write_wear(made, digest, state);
   };
   if (state.history.empty())
     keep(unworn);
   else
-    fmt::print("continued after step {}\n", state.step());
+    print_out("continued after step {}\n", state.step());
   const int before = state.step();
   wear::evolve(
       study, state.pair, folder,
@@ -194,9 +197,9 @@ ExitCode study(const WearArguments& arguments, const SceneText& scene) {
       });
   warn_of_smoothing(state.history);
   const int steps = state.step() - before;
-  fmt::print("{}, {}, {}\n", counted(steps, "step", "steps"),
-             counted(steps * study.cases.size(), "contact problem", "contact problems"),
-             duration_text(watch.seconds()));
+  print_out("{}, {}, {}\n", counted(steps, "step", "steps"),
+            counted(steps * study.cases.size(), "contact problem", "contact problems"),
+            duration_text(watch.seconds()));
   return success;
 }
 
@@ -227,9 +230,10 @@ Command add_wear(CLI::App& program) {
   number("--hardness", a.study.hardness, "Hardness of the softer body, for archard, MPa");
   number("--speed", a.study.speed, "Rolling speed, for archard, mm/s");
   line->add_option(
-      "--influence", a.influence,
-      "Program that computes new influence functions where they are needed, such as tools/influence: "
-      "called with a body file and the file to write");
+          "--influence", a.influence,
+          "Program that computes new influence functions where they are needed, such as tools/influence: "
+          "called with a body file and the file to write")
+      ->configurable(false); // require_repeated_program()
   add_model(*line, a.model);
   add_jobs(*line, a.jobs);
   line->add_option("--law", a.study.law, "Wear law; energy: T-gamma")

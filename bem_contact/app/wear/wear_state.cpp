@@ -10,9 +10,10 @@
 #include "bem_contact/sequence/scene_record.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <ostream>
-#include <set>
+#include <utility>
 
 namespace bem_contact::app {
 
@@ -46,6 +47,10 @@ std::span<const double> stored_values(const record::Record& stored, const std::s
                                       const std::filesystem::path& file,
                                       std::optional<std::size_t> count = {}) {
   const std::span<const double> values = record::values_at(stored, name);
+  if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
+    throw InputError(fmt::format("The file '{}' is damaged", file.string()),
+                     fmt::format("its dataset '{}' has a number that is none", name),
+                     "Copy it again from where it was whole, or make it again.");
   if (values.empty() || values.size() != count.value_or(values.size()))
     throw InputError(
         fmt::format("The file '{}' is damaged", file.string()),
@@ -65,54 +70,37 @@ wear::WornBody body_of(const record::Record& stored, const std::string& name,
   return out;
 }
 
-/// Whether a folder without a state is empty but for what a wear leaves that was stopped while it wrote its
-/// first step: the files of write_wear() from the first on, whole or under their temporary names.
-bool may_begin_in(const std::filesystem::path& folder) {
-  std::set<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (const std::string name = entry.path().filename().string(); name != lock_file_name)
-      names.insert(name);
-  for (const std::string& own : {step_file("rail", 0, "txt"), step_file("wheel", 0, "txt"),
-                                 std::string(table_file), std::string(state_file)}) {
-    std::erase_if(names, [&](const std::string& name) { return name.starts_with(own + ".tmp"); });
-    if (names.erase(own) == 0)
-      break;
-  }
-  return names.empty();
-}
-
 } // namespace
 
 std::string step_file(std::string_view body, int step, std::string_view extension) {
   return fmt::format("{}_{:04}.{}", body, step, extension);
 }
 
-void write_wear(const std::filesystem::path& folder, const std::string& digest, const WearState& state) {
-  wear::write_profile(folder / step_file("rail", state.step(), "txt"), state.pair.rail.points);
-  wear::write_profile(folder / step_file("wheel", state.step(), "txt"), state.pair.wheel.points);
-  write_whole(folder / table_file, [&](std::ostream& out) {
+void write_wear(OutputFolder& folder, const std::string& digest, const WearState& state) {
+  for (const auto& [body, points] :
+       {std::pair{"rail", &state.pair.rail.points}, {"wheel", &state.pair.wheel.points}}) {
+    const std::string name = step_file(body, state.step(), "txt");
+    wear::write_profile(folder.take(name), *points);
+    folder.done(name);
+  }
+  folder.write(table_file, [&](std::ostream& out) {
     record::write_csv(out, record::table_of("step", wear::wear_columns(), state.history));
   });
-  record::write_hdf5(folder / state_file, record_of(state, digest));
+  record::write_hdf5(folder.take(state_file), record_of(state, digest));
+  folder.done(state_file);
 }
 
-std::optional<WearState> read_wear(const std::filesystem::path& folder, const std::string& digest) {
-  const auto refuse = [&](const std::string& why, const char* what_to_do) {
-    throw InputError(fmt::format("The output '{}' exists and is not of this wear", folder.string()), why,
-                     what_to_do);
-  };
-  if (!file_exists(folder / state_file)) {
-    if (!may_begin_in(folder))
-      refuse(fmt::format("it is not empty, and there is no {} in it: its files might be overwritten",
-                         state_file),
-             "Give a new folder, or an empty one.");
+std::optional<WearState> read_wear(const OutputFolder& folder, const std::string& digest) {
+  folder.require_unchanged();
+  if (!file_exists(folder / state_file))
     return std::nullopt;
-  }
+  folder.require(state_file);
   const std::filesystem::path file = folder / state_file;
   const record::Record stored = record::read_hdf5(file);
   if (kind_of(record::text_at(stored, "format").value_or("")) != kind_of(wear_format) ||
       record::text_at(stored, "digest") != digest)
-    refuse(digest_changed, "Give another folder, or remove it.");
+    throw InputError(fmt::format("The output '{}' exists and is not of this wear", folder.path().string()),
+                     digest_changed, "Give another folder, or remove it.");
   WearState state;
   const std::size_t steps = stored_values(stored, "step", file).size();
   for (std::size_t i = 0; i < steps; ++i) {

@@ -2,6 +2,8 @@
 
 #include "bem_contact/uses/wear/evolution.hpp"
 
+#include "bem_contact/base/output_folder.hpp"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -18,6 +20,9 @@ struct WearState {
   int step() const { return static_cast<int>(history.size()) - 1; } ///< the last one; -1: none
 };
 
+/// The name under which wear lists what it has written (base/output_folder.hpp).
+inline constexpr const char* wear_maker = "wear";
+
 /// Is in the folder while a run writes there (base/file_lock.hpp).
 inline constexpr std::string_view lock_file_name = "wear.lock";
 
@@ -26,11 +31,10 @@ std::string step_file(std::string_view body, int step, std::string_view extensio
 
 /// Writes profiles of this step (rail_0001.txt), wear.csv, and last the state (wear.h5), each whole or not
 /// at all: a kill at any moment leaves the state of a finished step.
-void write_wear(const std::filesystem::path& folder, const std::string& digest, const WearState& state);
+void write_wear(OutputFolder& folder, const std::string& digest, const WearState& state);
 
-/// The state of a folder; nothing if the folder is empty, or holds only what a wear left that was stopped
-/// before its first state was written. Throws InputError if the state is of another scene
-/// or damaged, and if there are only other files: writing would overwrite those of the same name.
-std::optional<WearState> read_wear(const std::filesystem::path& folder, const std::string& digest);
+/// The state of a folder; nothing where no first state was written. Throws InputError if it is of another
+/// scene or damaged, and if a file that wear has written there was changed since.
+std::optional<WearState> read_wear(const OutputFolder& folder, const std::string& digest);
 
 } // namespace bem_contact::app

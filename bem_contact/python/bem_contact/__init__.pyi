@@ -291,6 +291,7 @@ def study(
     jobs: int = 0,
     folder: str | PathLike[str] | None = None,
     executor: Executor | None = None,
+    influence: str | PathLike[str] | None = None,
 ) -> dict[str, Any]:
     """All answers that a scene asks for, in a folder, as `bem_contact study`: what study.h5 holds. Parts may be shared by an executor."""
 

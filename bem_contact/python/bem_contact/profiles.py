@@ -57,11 +57,15 @@ class Profile(PathLike):
         self._path = _file("".join(f"{a!r} {b!r}\n" for a, b in zip(y, z)), kind)
         _plain_names[self._path] = f"the array of a {kind} ({len(y)} points)"
 
+    _path = None  # of one that was made by Profile.__new__() alone
+
     def __fspath__(self):
+        if self._path is None:
+            raise TypeError("This profile has no points (it was made without them) Call bem_contact.Profile(y, z, kind).")
         return self._path
 
     def __str__(self):
-        return self._path
+        return self.__fspath__()
 
     def __repr__(self):
-        return f"<Profile of a {self.kind}, {path.basename(self._path)}>"
+        return f"<Profile of a {self.kind}, {path.basename(self._path)}>" if self._path else "<Profile without points>"

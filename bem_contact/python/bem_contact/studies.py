@@ -51,7 +51,7 @@ def scene_file(scene, folder, output):
     return file
 
 
-def study(scene, output, *, jobs=0, folder=None, executor=None):
+def study(scene, output, *, jobs=0, folder=None, executor=None, influence=None):
     """All answers that a scene asks for, in the folder `output`: what `bem_contact study` computes and writes.
 
     `scene`, `folder`: as solve() takes them; tables such as [wheelset], [creep_curves] and [uncertainty] ask for answers. `jobs`:
@@ -60,11 +60,14 @@ def study(scene, output, *, jobs=0, folder=None, executor=None):
     "headline_names" and "headline_units" beside it; "taken"; "parts", where "study_status" and "study_errors" of each say how it went,
     and the rest is the answer of its command. Raises InputError where no part can begin.
     `executor`: any of concurrent.futures, or with its methods, does the parts and the draws of the inputs side by side, each as one
-    task. Its workers must see the same folder.
+    task. Its workers must see the same folder. `influence`: the program that may be started for influence functions (None:
+    tools/influence alone); one that the scene names must be given here, too.
     """
     from ._core import _read_record
     output = Path(output)
     words = [str(scene_file(scene, folder, output)), "-o", str(output)]
+    if influence is not None:
+        words += ["--influence", str(influence)]
     if executor is not None:
         _share(executor, [*words, "--jobs", str(jobs or 1)])
     if jobs or executor is not None:

@@ -103,23 +103,25 @@ private:
 
 } // namespace
 
-namespace {
-
-/// Folders stand for what is in them.
 std::vector<std::filesystem::path> files_of_parts(const std::vector<std::filesystem::path>& names) {
-  std::vector<std::filesystem::path> files;
-  for (const std::filesystem::path& name : names)
-    if (!std::filesystem::is_directory(name))
+  namespace fs = std::filesystem;
+  std::vector<fs::path> files;
+  for (const fs::path& name : names) {
+    std::error_code failed;
+    if (!fs::is_directory(name, failed)) {
       files.push_back(name);
-    else
-      for (const auto& entry : std::filesystem::directory_iterator(name))
-        if (entry.path().extension() == ".h5" && is_regular(entry.path()))
-          files.push_back(entry.path());
+      continue;
+    }
+    for (fs::directory_iterator at(name, failed), end; !failed && at != end; at.increment(failed))
+      if (at->path().extension() == ".h5" && is_regular(at->path()))
+        files.push_back(at->path());
+    if (failed)
+      throw InputError(fmt::format("The folder '{}' of parts cannot be read", name.string()),
+                       failed.message(), "Look at its rights, or name the parts.");
+  }
   std::ranges::sort(files);
   return files;
 }
-
-} // namespace
 
 FoundParts find_parts(const AskedSweep& asked, const std::vector<std::filesystem::path>& names,
                       PartCheck check) {

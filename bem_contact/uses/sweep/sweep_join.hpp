@@ -20,7 +20,11 @@ struct FoundParts {
 /// How much of each part is read before it is joined.
 enum class PartCheck { head, all };
 
-/// A folder stands for all its files NAME.h5. Throws InputError where two parts have the same case.
+/// The names of parts, with all files NAME.h5 of a folder in its place. Throws InputError for one that cannot
+/// be read.
+std::vector<std::filesystem::path> files_of_parts(const std::vector<std::filesystem::path>& names);
+
+/// The parts among files and folders (files_of_parts()). Throws InputError where two parts have the same case.
 FoundParts find_parts(const AskedSweep& asked, const std::vector<std::filesystem::path>& names,
                       PartCheck check);
 

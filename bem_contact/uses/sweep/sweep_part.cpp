@@ -103,6 +103,10 @@ CaseRange cases_in(const AskedSweep& asked, const H5Reader& reader) {
 
 } // namespace
 
+bool is_part_of_sweep(const std::filesystem::path& file) {
+  return record::format_of(file) == sweep_part_format;
+}
+
 CaseRange cases_in_part(const AskedSweep& asked, const std::filesystem::path& file) {
   return cases_in(asked, H5Reader(file));
 }

@@ -57,4 +57,7 @@ void require_whole(const std::filesystem::path& file);
 /// Of a part that this program has just written: its table is looked at when it is joined.
 CaseRange cases_in_part(const AskedSweep& asked, const std::filesystem::path& file);
 
+/// Whether a file says that it is a part of any sweep.
+bool is_part_of_sweep(const std::filesystem::path& file);
+
 } // namespace bem_contact

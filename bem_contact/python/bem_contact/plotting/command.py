@@ -13,12 +13,14 @@ def main(words=None):
 
 def draw_what_is_asked(words):
     parser = argparse.ArgumentParser(prog="bem_contact plot", add_help=False, allow_abbrev=False)
-    parser.add_argument("-o", "--output", type=Path)
+    parser.add_argument("-o", "--output")
     asked, rest = parser.parse_known_args(words)
+    if asked.output == "":
+        refuse("The output of --output cannot be written", "it names no file", "Give it a name, or leave the option out.")
     files, options = split_options(rest)
     if not files:
         refuse("There is nothing to draw", "no file is named", "Name one: bem_contact plot FILE, or see bem_contact plot --help.")
-    picture = asked.output or Path(Path(files[0]).resolve().with_suffix(".png").name)
+    picture = Path(asked.output) if asked.output else Path(Path(files[0]).resolve().with_suffix(".png").name)
     require_modules()
     from .drawing import draw  # it needs them
     draw(files, picture, options)

@@ -116,7 +116,7 @@ def patch_key(axis, contacts, columns=3, below=True):
     shear = max(c.shear.max() for c in contacts)
     handles = [Line2D([], [], color=style.INK, linewidth=1.4, label="border of the contact"),
                Line2D([], [], color=style.ADHESION, linewidth=2.6, label="adhesion within, slip around"),
-               Line2D([], [], color=style.INK, marker=r"$\rightarrow$", markersize=13, linestyle="none",
+               Line2D([], [], color=style.INK, marker=">", markersize=13, linestyle="none",
                       label=f"shear traction on the rail, longest {shear:.0f} MPa")][:2 if all(c.slender for c in contacts) else 3]
     look = {"handles": handles, "fontsize": 8.5, "handlelength": 1.6}
     if shear > 0 and below:

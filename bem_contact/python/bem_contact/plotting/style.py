@@ -47,6 +47,7 @@ ACROSS, UP = "x, rolling direction, mm", "s along the rail, mm"
 
 def use():
     matplotlib.rcParams.update({
+        "text.parse_math": False,  # names of files may hold $
         "font.family": "DejaVu Sans", "font.size": 10, "text.color": INK, "axes.edgecolor": FRAME, "axes.labelcolor": INK,
         "xtick.color": INK, "ytick.color": INK, "axes.titlelocation": "left", "axes.titleweight": "bold", "axes.titlesize": 11,
         "axes.grid": True, "axes.axisbelow": True, "grid.color": GRID, "grid.linewidth": 0.6, "legend.frameon": True,
