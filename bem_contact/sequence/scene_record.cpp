@@ -27,7 +27,7 @@ InputRecord record_of(const NamedFile& named) {
   const std::string file = named.file.string();
   InputRecord out{named.key, without_machine(named.name), {}, {}};
   if (!names_influence(named.key) && std::filesystem::file_size(named.file) <= largest_kept_input)
-    out.content = read_text_file(file, "input");
+    out.content = read_bytes(file, "input"); // as its digest has it
   out.sha256 = out.content ? sha256(*out.content) : sha256_of_file(file);
   if (out.content && out.content->find('\0') != std::string::npos) // a text in HDF5 ends there
     out.content.reset();

@@ -155,7 +155,7 @@ ExitCode say_what_was_found(const AskedSweep& asked, const SweepRequest& request
 ExitCode run_part(const SweepRequest& request, SweepFile sweep) {
   const CaseRange cases = range_of(request.cases, sweep.size());
   check_outputs(sweep, request, {});
-  check_values(sweep, cases);
+  check_cases(sweep, cases);
   const AskedSweep asked = asked_sweep(request, std::move(sweep));
   Progress progress("cases", cases.size());
   solve_part(asked, cases, shared_files(), output_target(request.output, OutputForm::whole_file).file,
@@ -201,7 +201,7 @@ ExitCode run_join(const SweepRequest& request, SweepFile sweep) {
 /// All cases that are not solved yet, on this machine.
 ExitCode run_all(const SweepRequest& request, SweepFile sweep) {
   check_outputs(sweep, request, {});
-  check_values(sweep);
+  check_cases(sweep, sweep.all());
   const AskedSweep asked = asked_sweep(request, std::move(sweep));
   const PartsFolder folder(asked, request.output);
   std::string head;
