@@ -49,10 +49,7 @@ class OneAnswer(unittest.TestCase):
         with h5py.File(self.folder / "out" / "study.h5") as file:
             parts = {}
             file["parts"].visititems(lambda name, one: parts.__setitem__(name, one[()]) if isinstance(one, h5py.Dataset) else None)
-            parts.update({f"{name}.{key}": value for name, group in file["parts"].items() for key, value in group.attrs.items()})
-            for side in ("right", "left"):
-                if f"wheelset/{side}" in file["parts"]:
-                    parts[f"{side}.model"] = file[f"parts/wheelset/{side}/result"].attrs["model"]
+            parts.update({f"{name}.{key}": value.decode() if isinstance(value, bytes) else value for name, group in file["parts"].items() for key, value in group.attrs.items()})
         return said, parts
 
     def test_of_an_axle(self):
