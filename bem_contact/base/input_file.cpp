@@ -52,7 +52,7 @@ void require_read(const std::istream& in, const std::string& file, std::string_v
     refuse(file, what, "reading it failed", "Check the disk, or copy the file.");
 }
 
-std::string read_text_file(const std::string& file, std::string_view what, std::size_t most) {
+std::string read_bytes(const std::string& file, std::string_view what, std::size_t most) {
   std::ifstream in = open_input(file, what);
   const auto require_size = [&](std::uintmax_t size) {
     if (size > most)
@@ -71,6 +71,13 @@ std::string read_text_file(const std::string& file, std::string_view what, std::
     require_size(size);
   }
   require_read(in, file, what);
+  return text;
+}
+
+std::string read_text_file(const std::string& file, std::string_view what, std::size_t most) {
+  std::string text = read_bytes(file, what, most);
+  if (text.starts_with(byte_order_mark))
+    text.erase(0, byte_order_mark.size());
   return text;
 }
 

@@ -28,8 +28,14 @@ void require_read(const std::istream& in, const std::string& file, std::string_v
 /// bytes. A text for people is never larger: ten million points take 100 bytes each.
 inline constexpr std::size_t largest_text = 1'000'000'000;
 
-/// The whole text of a file. Throws InputError when it cannot be read, or has more than `most` bytes; `what`
-/// names it there.
+/// Three bytes that say that a text is UTF-8. Excel puts them in front of each CSV file, and no editor shows
+/// them.
+inline constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
+/// The whole content of a file, byte by byte. Throws InputError when it cannot be read, or has more than
+/// `most` bytes; `what` names it there.
+std::string read_bytes(const std::string& file, std::string_view what, std::size_t most = largest_text);
+/// The same of a text, without a byte order mark.
 std::string read_text_file(const std::string& file, std::string_view what, std::size_t most = largest_text);
 
 /// The points y z of a profile that this project wrote, one in each line.

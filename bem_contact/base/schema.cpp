@@ -93,8 +93,11 @@ bool Schema::belongs(const Key& key) const {
 std::string Schema::where(std::string_view path) const {
   // A missing key is reported at its table, if that is there.
   for (std::string at(path); !at.empty(); at = table_of(at))
-    if (const auto line = lines_.find(at); line != lines_.end())
-      return line->second > 0 ? fmt::format("{}:{}: ", source_, line->second) : source_ + ": ";
+    if (const auto line = lines_.find(at); line != lines_.end()) {
+      const auto other = other_sources_.find(at);
+      const std::string& source = other == other_sources_.end() ? source_ : other->second;
+      return line->second > 0 ? fmt::format("{}:{}: ", source, line->second) : source + ": ";
+    }
   return fmt::format("{}: ", source_);
 }
 

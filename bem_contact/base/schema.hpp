@@ -133,9 +133,9 @@ public:
   /// (with the nearest names), wrong type, not finite, out of range, a key of another kind of file.
   void read(std::string_view toml, std::string_view source_name);
 
-  /// Gives a key another value after read(), as if line `line` of the file said so. Throws what read()
-  /// would.
-  void set(const std::string& path, const SchemaValue& value, int line);
+  /// Gives a key another value after read(), as if line `line` of the file said so, or of another `source`.
+  /// Throws what read() would.
+  void set(const std::string& path, const SchemaValue& value, int line, const std::string& source = "");
   /// A number as the key takes it: whole for a key of whole numbers, true for 1 and false for 0 of a flag.
   /// For languages that have one kind of number. Throws InputError for an unknown key, with the nearest
   /// names.
@@ -180,8 +180,9 @@ private:
   std::string title_, kind_path_, source_;
   std::set<std::string> skipped_, shared_;
   std::vector<Key> keys_;
-  std::map<std::string, int> lines_; ///< of the keys and tables that the file has
-  std::set<std::string> formerly_;   ///< those of them that it gives under their former name
+  std::map<std::string, int> lines_;                 ///< of the keys and tables that the file has
+  std::map<std::string, std::string> other_sources_; ///< of the keys that another file gives
+  std::set<std::string> formerly_;                   ///< those of them that it gives under their former name
   friend class SchemaReader;
 };
 

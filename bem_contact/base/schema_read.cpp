@@ -269,8 +269,12 @@ void Schema::take_line(const Key& key, const std::string& path, int line) {
   lines_[key.path] = line;
 }
 
-void Schema::set(const std::string& path, const SchemaValue& value, int line) {
+void Schema::set(const std::string& path, const SchemaValue& value, int line, const std::string& source) {
   const Key* key = find(path);
+  if (source.empty())
+    other_sources_.erase(key ? key->path : path);
+  else
+    other_sources_[key ? key->path : path] = source;
   if (!key) {
     lines_[path] = line;
     refuse_unknown(path, false);

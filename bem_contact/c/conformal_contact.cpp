@@ -86,8 +86,7 @@ void solve(conformal_contact* handle) {
   handle->by_path.reset();
   handle->result.reset();
   handle->result = solved_or_stopped(handle);
-  if (!certified(*handle->result))
-    throw uncertified_error(*handle->result);
+  require_certified(*handle->result);
 }
 
 } // namespace

@@ -7,17 +7,19 @@
 #include "bem_contact/explore/bodies.hpp"
 #include "bem_contact/explore/settings.hpp"
 #include "bem_contact/profile/messages.hpp"
+#include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/json.hpp"
+#include "bem_contact/record/outcome.hpp"
 #include "bem_contact/report/report_page.hpp"
 #include "bem_contact/scene/absolute_names.hpp"
 #include "bem_contact/sequence/result_file.hpp"
 #include "bem_contact/sequence/result_record.hpp"
+#include "bem_contact/uses/wheelset/quantities.hpp"
 
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
-#include <new>
 #include <nlohmann/json.hpp>
 
 namespace bem_contact::explore {
@@ -33,18 +35,28 @@ constexpr const char* no_computer =
     "This page computes no influence functions (it has no finite elements) Save the bodies, and give "
     "the commands below, or open the scene with bem_contact explore.";
 
-Reply problem(const char* kind, const std::string& message) {
-  const nlohmann::json said{{"problem", {{"kind", kind}, {"message", message}}}};
+Reply problem(record::Outcome outcome, const std::string& message) {
+  const nlohmann::json said{{"problem", {{"kind", name_of(outcome)}, {"message", message}}}};
   return {json_type, said.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
 }
 
 /// What the page draws: it asks for an answer many times in a second.
 bool not_drawn(std::string_view path) {
+  constexpr std::string_view data = "data/";
+  for (const std::string_view wheel : {"data/wheels/right/", "data/wheels/left/"})
+    if (path.starts_with(wheel))
+      return not_drawn(fmt::format("{}{}", data, path.substr(wheel.size())));
   constexpr std::array names{
       "data/u_x",           "data/u_s",       "data/u_n",           "data/friction_work_density",
       "data/friction_work", "data/gap",       "data/largest_shear", "data/deformed_distance",
       "data/step_fields",   "data/structure", "data/rigid_slip_x",  "data/rigid_slip_s"};
   return std::ranges::find(names, path) != names.end();
+}
+
+/// Both wheels, each as the page draws one.
+Record wheels_of(const WheelsetResult& r) {
+  return {{"wheelset", record::numbers_of(wheelset_quantities(), false, r)},
+          {"wheels", Record{{"right", record_of(r.state.right)}, {"left", record_of(r.state.left)}}}};
 }
 
 } // namespace
@@ -73,6 +85,12 @@ SceneResult Answers::solve(const Question& question, Sequence& sequence, const S
   return sequence.solve(scene, stop.get());
 }
 
+WheelsetResult Answers::solve_both(const SceneFile& scene, const Stop& stop) {
+  const std::scoped_lock lock(solving_);
+  end_if_stopped(stop.get());
+  return solve_wheelset(scene, stop.get());
+}
+
 Record Answers::remarks_on(const SceneFile& scene) {
   const std::scoped_lock lock(solving_);
   return remarks_.of(scene, [&](const std::string& text) { return scenes_.in_plain_names(text); });
@@ -80,33 +98,23 @@ Record Answers::remarks_on(const SceneFile& scene) {
 
 template <class Answer> Reply Answers::replied(const std::string& text, const Answer& answer) {
   const CollectedMessages of_profiles; // the page shows them (remarks_on()), not the terminal
-  const auto said = [&](const char* kind, const std::exception& error) {
-    return problem(kind, scenes_.in_plain_names(error.what()));
-  };
   try {
     return answer(parse_question(text));
-  } catch (const Stopped& stopped) {
-    return problem("replaced", stopped.what());
-  } catch (const ConvergenceError& error) {
-    return said("not converged", error);
-  } catch (const InputError& error) {
-    return said("refused", error);
-  } catch (const std::bad_alloc& error) {
-    return problem("fault", said_by(error));
   } catch (const std::exception& error) {
-    return said("fault", error);
+    return problem(record::outcome_of(error), scenes_.in_plain_names(said_by(error)));
   }
 }
 
 Reply Answers::answer(const std::string& question) {
   return replied(question, [&](const Question& asked) {
     const Stop stop = newest(asked.window);
-    const SceneResult result = solve(asked, sequence_, stop);
-    const SceneFile asked_scene = scenes_.scene(asked);
-    const std::string scene = scenes_.in_plain_names(scene_with_defaults(asked_scene));
+    const SceneFile to_solve = scenes_.scene(asked);
+    Record found = to_solve.wheelset.force ? wheels_of(solve_both(to_solve, stop))
+                                           : record_of(solve(asked, sequence_, stop));
+    const std::string scene = scenes_.in_plain_names(scene_with_defaults(to_solve));
     Record data{{"scene_with_defaults", record::Text{scene, "the scene with every key"}},
-                {"remarks", remarks_on(asked_scene)}};
-    data.append(record_of(result));
+                {"remarks", remarks_on(to_solve)}};
+    data.append(std::move(found));
     return Reply{json_type, record::to_described_json({{"data", std::move(data)}}, not_drawn)};
   });
 }
@@ -118,24 +126,26 @@ Reply Answers::scene(const std::string& question) {
 }
 
 /// Solved as the command does it, from nothing: the file is the command's.
-record::Record Answers::file_of(const Question& question, const SceneResult& result) {
+record::Record Answers::file_of(const Question& question) {
   const GivenScene given = scenes_.given(question);
-  return result_file(result, given, given.text.folder / "explored.h5");
+  const std::filesystem::path file = given.text.folder / "explored.h5";
+  const SceneFile scene = scenes_.scene(question);
+  const Stop stop = newest(question.window);
+  if (scene.wheelset.force)
+    return headed(wheelset_format, given, file).append(record_of(solve_both(scene, stop)));
+  Sequence cold;
+  return result_file(solve(question, cold, stop), given, file);
 }
 
 Reply Answers::result(const std::string& question) {
   return replied(question, [&](const Question& asked) {
-    Sequence cold;
-    const SceneResult result = solve(asked, cold, newest(asked.window));
-    return Reply{"application/x-hdf5", record::hdf5_bytes(file_of(asked, result))};
+    return Reply{"application/x-hdf5", record::hdf5_bytes(file_of(asked))};
   });
 }
 
 Reply Answers::report(const std::string& question) {
   return replied(question, [&](const Question& asked) {
-    Sequence cold;
-    const SceneResult result = solve(asked, cold, newest(asked.window));
-    return Reply{page_type, report::page_of_record(file_of(asked, result), "explored.h5")};
+    return Reply{page_type, report::page_of_record(file_of(asked), "explored.h5")};
   });
 }
 
@@ -146,8 +156,12 @@ std::vector<NamedBody> Answers::named_bodies(const Question& question) {
     asked.changes.push_back({fmt::format("{}.influence", side), std::string()});
   asked.changes.push_back({"solver.model", std::string(name_of(Model::halfspace))});
   Sequence cold;
-  const SceneResult solved = solve(asked, cold, newest(question.window));
-  const SceneFile scene = scenes_.scene(asked);
+  SceneFile scene = scenes_.scene(asked);
+  const Stop stop = newest(question.window);
+  const bool both = scene.wheelset.force.has_value(); // the bodies of the right wheel serve the left one too
+  const SceneResult solved = both ? solve_both(scene, stop).state.right : solve(asked, cold, stop);
+  if (both)
+    scene = one_wheel(std::move(scene), WheelSide::right);
   std::vector<NamedBody> out;
   for (const BodyToCompute& body : bodies_of(scene, solved)) {
     const std::string toml = with_absolute_names({body.toml, body.side, scene.folder});

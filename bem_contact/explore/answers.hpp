@@ -5,6 +5,7 @@
 #include "bem_contact/explore/profile_remarks.hpp"
 #include "bem_contact/explore/server.hpp"
 #include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/uses/wheelset/solve_wheelset.hpp"
 
 #include <array>
 #include <atomic>
@@ -18,18 +19,19 @@ namespace bem_contact::explore {
 
 /// Answers the page's questions, one solution at a time. Each function takes a question (asked_scenes.hpp)
 /// as JSON. What is wrong with it is said in the reply: {"problem": {"kind", "message"}}, where "kind" is
-/// "refused", "not converged", "replaced" (the same window has asked again) or "fault". Several threads may
+/// the name of a record::Outcome ("replaced": the same window has asked again). Several threads may
 /// ask at once.
 class Answers {
 public:
   /// `computer`: of influence functions; null: this page has none.
   explicit Answers(const Start& start, Computer* computer = nullptr) : scenes_(start), computer_(computer) {}
 
-  /// The result of the scene, as JSON for the page (record/json.hpp).
+  /// The result of the scene, as JSON for the page (record/json.hpp); of a wheelset "wheels" has both, and
+  /// "wheelset" its own numbers.
   Reply answer(const std::string& question);
   /// The scene as a file.
   Reply scene(const std::string& question);
-  /// The file of bem_contact solve -o.
+  /// The file of bem_contact solve -o, of a wheelset that of bem_contact wheelset -o.
   Reply result(const std::string& question);
   /// The page of bem_contact report.
   Reply report(const std::string& question);
@@ -51,8 +53,9 @@ private:
   using Stop = std::shared_ptr<std::atomic<bool>>;
 
   SceneResult solve(const Question& question, Sequence& sequence, const Stop& stop);
+  WheelsetResult solve_both(const SceneFile& scene, const Stop& stop);
   record::Record remarks_on(const SceneFile& scene);
-  record::Record file_of(const Question& question, const SceneResult& result);
+  record::Record file_of(const Question& question);
   std::vector<NamedBody> named_bodies(const Question& question);
   Stop newest(const std::string& window);
   template <class Answer> Reply replied(const std::string& question, const Answer& answer);

@@ -4,6 +4,9 @@ const scene = {text: start.scene.text, changes: {...start.scene.changes}, files:
 const report = {kind: "result", file: start.name};
 let data = {}, solved, held, offerSweep; // data: of the answer that is shown; solved: the scene of the last answer; held: {scene, data}
 const element = id => document.getElementById(id);
+let shownWheel = "right"; // of a wheelset: whose figures and numbers are shown
+/// What is shown of a reply's data: one contact; of a wheelset one of its wheels.
+const oneOf = found => found?.wheels ? {...found, ...found.wheels[shownWheel]} : found;
 const sceneNow = () => ({text: scene.text, changes: {...scene.changes}, files: {...scene.files}});
 
 // --- asking: one solution in flight, the last position wins ---
@@ -108,11 +111,12 @@ const shown = async (reply, took, asked) => {
     document.body.dataset.drawn ??= 0;
     return;
   }
-  data = reply.data;
+  data = oneOf(reply.data);
   solved = asked ?? sceneNow();
   problemShown("");
   showControls();
   showNumbers(took);
+  showWheels();
   showHeld();
   showCommands();
   await drawContact(performance.now() - lastMove > REST);
@@ -124,7 +128,7 @@ const showControls = () => {
     showControl(control, kind);
   for (const {key, list} of choices)
     list.value = sceneValue(key) || list.value;
-  choices.find(one => one.key === "position.side").row.hidden = kind !== "wheel_rail";
+  choices.find(one => one.key === "position.side").row.hidden = kind !== "wheel_rail" || Boolean(data.wheels);
   for (const {key, row, field} of profiles) {
     row.hidden = kind !== "wheel_rail";
     if (document.activeElement !== field)
@@ -165,6 +169,40 @@ const addRemarks = (remarks, parent) => {
       add("button", `Take it: ${Object.entries(changes).map(([key, value]) => `${key} = ${value}`).join(", ")}`, line, {
         type: "button", onclick: () => { Object.assign(scene.changes, changes); lastMove = performance.now(); ask(); }});
   }
+};
+
+// --- both wheels of a wheelset ---
+const BESIDE = ["pmax", "area", "Fx", "Fy", "Fz", "T_gamma", "adhesion_share"];
+const showWheels = () => {
+  const both = data.wheels, parent = element("wheels");
+  parent.hidden = !both;
+  if (!both)
+    return;
+  element("wheels-right").checked = shownWheel === "right";
+  element("wheels-left").checked = shownWheel === "left";
+  const contacts = ["right", "left"].map(side => contactsOf(both[side])[0]), names = BESIDE.filter(name => contacts.every(({group}) => group.quantities[name]));
+  element("wheels-table").replaceChildren();
+  addTable(`The wheelset stands ${valueText(data.wheelset, "lateral")} mm to the right. Each wheel counts y to its own side.`, ["", "right", "left", "unit"],
+    [["model", ...contacts.map(({name}) => titleOf(name)), ""], ["", ...contacts.map(({group}) => certifiedOf(group) ? "certified" : "NOT certified"), ""],
+     ...names.map(name => [words(name), ...contacts.map(({group}) => valueText(group.quantities, name)), unitText(contacts[0].group.quantities[name].unit)])],
+    {parent: element("wheels-table"), numbers: [1, 2], id: "both-wheels"});
+  contacts.forEach((contact, k) => {
+    const figure = patchFigure(contact, element("arrows").value);
+    if (figure)
+      drawn(element(["patch-right", "patch-left"][k]), {...figure, height: 340});
+  });
+};
+
+const addWheelsPanel = parent => {
+  add("h2", "Both wheels", parent);
+  const both = add("div", "", parent, {className: "side-by-side"});
+  for (const side of ["right", "left"]) {
+    const one = add("div", "", both), label = add("label", `${side} wheel: show it above `, add("p", "", one, {className: "caption"}));
+    const pick = add("input", "", label, {type: "radio", name: "shown-wheel", id: `wheels-${side}`});
+    pick.addEventListener("change", () => { shownWheel = side; if (data.wheels) shown({data}, undefined, solved); });
+    add("div", "", one, {id: `patch-${side}`, className: "figure"});
+  }
+  add("div", "", parent, {id: "wheels-table", className: "scroll"});
 };
 
 const addAllNumbers = (contact, more) => {
@@ -257,7 +295,7 @@ const saveSweep = async () => {
 const showCommands = () => {
   const changed = Object.keys(scene.changes).length > 0 || scene.text !== start.scene.text || start.name === "the first scene";
   const file = changed ? "explored.toml" : start.name.replace(/^the scene of '(.*)'$/, "$1");
-  const lines = [...bodyCommands(), `bem_contact solve ${file} -o explored.h5`, "bem_contact report explored.h5 -o explored.html"];
+  const lines = [...bodyCommands(), `bem_contact ${data.wheels ? "wheelset" : "solve"} ${file} -o explored.h5`, "bem_contact report explored.h5 -o explored.html"];
   if (sweep.cases.length)
     lines.push("bem_contact sweep explored_sweep.toml -o explored_sweep.h5");
   if (held && held.scene.text === scene.text && Object.keys({...held.scene.changes, ...scene.changes})
@@ -367,6 +405,7 @@ const begin = async () => {
   document.title = `${start.name}: bem_contact explore`;
   addFigures(element("figures"));
   addControls(element("controls"));
+  addWheelsPanel(element("wheels"));
   addHeldPanel(element("held"));
   offerSweep = addSweepPanel(element("sweep"));
   addBodiesPanel(element("bodies"));

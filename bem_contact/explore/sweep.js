@@ -2,16 +2,19 @@
 const SWEPT = ["Fx", "Fy", "Fz", "Mz", "pmax", "area", "T_gamma", "approach"];
 const sweep = {key: "", cases: [], running: false}; // each case: {value, reply}
 
+const outcomeOf = ({data: result, problem}) => problem ? problem.kind : Object.values(result.wheels ?? {result}).every(certifiedOf) ? "certified" : "not certified";
+const reasonOf = ({data: result, problem}) => problem ? problem.message : Object.values(result.wheels ?? {result}).map(one => one.attributes.why_not_certified).filter(Boolean).join("; ");
+
 /// The answers as one table, as a file of a sweep has it (curve_figures.js).
 const sweepData = () => {
-  const control = CONTROLS.find(one => one.key === sweep.key), good = sweep.cases.find(one => one.reply.data);
+  const control = CONTROLS.find(one => one.key === sweep.key), good = sweep.cases.find(one => one.reply.data), shownOf = one => oneOf(one.reply.data);
   if (!good)
     return undefined;
-  const results = sweep.cases.map(one => one.reply.data), of = (name, result) => result?.quantities[name]?.values[0] ?? null;
+  const results = sweep.cases.map(shownOf), of = (name, result) => result?.quantities[name]?.values[0] ?? null;
   const out = {[sweep.key]: {values: sweep.cases.map(one => toField(control, one.value)), unit: control.unit || "1", description: "swept over"},
-               status: {values: results.map(result => result ? 1 : 3)}, patches: {case: {values: []}}};
-  for (const name of SWEPT.filter(name => good.reply.data.quantities[name])) {
-    const {unit, description} = good.reply.data.quantities[name];
+               status: {values: sweep.cases.map(one => OUTCOMES.indexOf(outcomeOf(one.reply)))}, patches: {case: {values: []}}};
+  for (const name of SWEPT.filter(name => shownOf(good).quantities[name])) {
+    const {unit, description} = shownOf(good).quantities[name];
     out[name] = {values: results.map(result => of(name, result)), unit, description};
     out[`${name}_error`] = {values: results.map(result => of(`${name}_error`, result)), unit};
   }
@@ -52,7 +55,8 @@ const showCase = i => {
 
 const sweepCsv = () => {
   const table = sweepData(), names = Object.keys(table).filter(name => !["status", "patches"].includes(name));
-  return csvOf([names.map(name => withUnit(name, table[name])), ...sweep.cases.map((_, i) => names.map(name => table[name].values[i]))]);
+  return csvOf([[...names.map(name => withUnit(name, table[name])), "status", "reason"],
+                ...sweep.cases.map(({reply}, i) => [...names.map(name => table[name].values[i]), outcomeOf(reply), reasonOf(reply)])]);
 };
 
 /// The sweep as a table of a scene.
@@ -95,10 +99,10 @@ const addSweepPanel = parent => {
     sweep.running = false;
     run.textContent = "Sweep";
     bar.hidden = true;
-    const refused = sweep.cases.filter(one => one.reply.problem);
+    const outcomes = sweep.cases.map(one => outcomeOf(one.reply)), bad = outcomes.findIndex(outcome => outcome !== "certified");
     note.hidden = false;
-    note.textContent = `${sweep.cases.length - refused.length} of ${n} cases are solved. A click on a mark shows its patch.` +
-                       (refused.length ? ` Not solved: ${refused[0].reply.problem.message}` : "");
+    note.textContent = `Of ${n} cases ${countsText(outcome => outcome === "missing" ? n - outcomes.length : outcomes.filter(one => one === outcome).length)}. ` +
+                       "A click on a mark shows its patch." + (bad >= 0 ? ` The first that is ${outcomes[bad]}: ${reasonOf(sweep.cases[bad].reply)}` : "");
     await drawSweep(figures);
     showCommands();
   });

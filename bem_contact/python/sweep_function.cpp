@@ -127,7 +127,7 @@ std::vector<SweepCase> solve_sweep_with(const py::object& executor, const SweepF
   for (const py::handle part : run_on(executor, "sweep", tasks))
     for (const py::handle item : part) {
       const auto one = py::reinterpret_borrow<py::tuple>(item);
-      out.push_back({one[0].cast<std::size_t>(), static_cast<CaseStatus>(one[1].cast<int>()),
+      out.push_back({one[0].cast<std::size_t>(), static_cast<record::Outcome>(one[1].cast<int>()),
                      one[2].cast<std::string>(), one[3].cast<double>(), one[4].cast<double>(),
                      one[5].cast<std::vector<double>>(), one[6].cast<std::vector<std::vector<double>>>()});
     }
@@ -142,8 +142,8 @@ py::object sweep(const py::object& scene, const py::object& changes, const py::o
   const std::size_t swept = file.axes.size();
   file = sweep_of(file.text, changes);
   const std::string name = model_of(model);
-  check_values(file);
-  with_model(file.scene(0), name); // refuses what is no model
+  check_cases(file, file.all());
+  with_model(file.first_scene(), name); // refuses what is no model
   const std::vector<SweepCase> cases = executor.is_none() ? solve_range(file, file.all(), name)
                                                           : solve_sweep_with(executor, file, changes, name);
   py::dict out;

@@ -48,6 +48,8 @@ std::string fixed_within(double value, double error, int decimals) {
 
 std::string digits_fine(double value, double error, int digits) {
   const int decimals = digits - digits_before(value);
+  if (error > std::abs(value)) // no digit of it is known: "0.00 +- 0.99"
+    return fixed_text(value, std::clamp(decimals_of(error), 0, most_digits));
   return error > 0 || decimals < 0 ? fixed_fine(value, error, decimals)
                                    : fmt::format("{:.{}g}", value, digits);
 }

@@ -141,12 +141,11 @@ const addSweep = () => {
     if (names.every(name => name in data))
       addFigure(`over-${names.join("-")}`, `${[...new Set(names.map(ofEither))].map(words).join(" and ")} over the ${key ? words(key) : "cases"}.`,
                 {...sweepFigure(data, keys, key, names), click: index => showCase?.(index)});
-  const status = ["missing", "certified", "not certified", "refused", "died"];
   addTable("All cases", ["case", ...keys.map(k => withUnit(k, data[k]).replace(".", ".\u200b")), ...columns.map(name => withUnit(name, data[name])), "status"],
            data.status.values.map((state, i) =>
              [i, ...keys.map(k => keyText(data[k], i)),
               ...columns.map(name => inDegrees(number(data[name].values[i], data[`${name}_error`]?.values[i]), data[name].values[i], data[name].unit)),
-              status[state]]),
+              OUTCOMES[state]]),
            {id: "cases", wide: true});
   for (const [name, one] of Object.entries(data.cases ?? {}))
     if (one.attributes?.reason)
@@ -393,6 +392,8 @@ const addStudy = () => {
   for (const [name, part] of partsOf(study)) {
     const {study_title: title, study_page: of, study_status: status} = part.attributes;
     add("h1", `${title}: ${status}`);
+    if (part.attributes.study_about)
+      add("p", `${part.attributes.study_about[0].toUpperCase()}${part.attributes.study_about.slice(1)}.`);
     if (part.study_errors.text)
       add("p", part.study_errors.text);
     if (of) {

@@ -68,6 +68,11 @@ const contactsOf = group => {
 /// A number of a group; undefined where it has none.
 const valueOf = (group, name) => group?.[name]?.values?.[0];
 const certifiedOf = group => group.attributes.certified === 1;
+/// How an answer ended, by its number in files (record/outcome.hpp), and how many cases are it.
+const OUTCOMES = ["missing", "certified", "not certified", "refused", "died", "failed"];
+const COUNTED = {certified: "are certified", "not certified": "are not", refused: "were refused", died: "died", failed: "failed", missing: "are missing"};
+const countsText = countOf => Object.entries(COUNTED).map(([outcome, text]) => [countOf(outcome), text]).filter(([count], k) => count > 0 || k === 0)
+  .map(([count, text]) => `${count} ${text}`).join(", ");
 
 /// A value of the scene with all defaults; "" if it has none.
 const sceneValue = key => {
@@ -118,11 +123,15 @@ const sceneInWords = () => {
   else if (data.scene_text)
     out.push("One contact problem, given directly by undeformed distance, load and creepages.");
   if (contact) {
+    // Those that act: the keys are counted from a rolling radius, to which the geometry adds.
+    const acting = contact.group.patches?.xi?.values?.length && contact.group.patches.xi.values[0] !== null ? contact.group.patches : undefined;
+    const at = name => number(acting[name].values[0]);
     out.push(`The vertical force is ${q("Fz")} N` +
              (profile("rail") && report.kind === "result" ? `, and the wheelset is displaced by ${q("lateral")} mm to the right.` : "."));
     out.push(contact.friction > 0
       ? `The coefficient of friction is ${contact.friction}.` + (report.kind !== "result" ? "" :
-        ` The creepages are xi ${q("xi")}, eta ${q("eta")} and phi ${q("phi")} ${quantities.phi?.unit ?? ""}.`)
+        (acting ? ` At the centre of the patch${acting.xi.values.length > 1 ? " with the largest force" : ""} the creepages are xi ${at("xi")}, eta ${at("eta")} and phi ${at("phi")} ${acting.phi.unit}.`
+                : ` The creepages are xi ${q("xi")}, eta ${q("eta")} and phi ${q("phi")} ${quantities.phi?.unit ?? ""}.`))
       : "There is no friction.");
     for (const {name, group} of report.kind === "result" ? [contact] : [])
       out.push(`The model is ${name} (${titleOf(name).toLowerCase()}): ${group.attributes.why_this_model}. The grid has ${q("mx")} × ` +
@@ -136,8 +145,7 @@ const sceneInWords = () => {
   }
   if (swept.length)
     out.push(`${data.status.values.length} cases: ${swept.map(words).join(", ")} ${swept.length > 1 ? "vary" : "varies"}. ` +
-             ["certified", "not_certified", "refused", "died", "missing"].map((name, k) =>
-               `${valueOf(data, `${name}_count`)} ${["are certified", "are not", "were refused", "died", "are missing"][k]}`).join(", ") + ".");
+             countsText(outcome => valueOf(data, `${outcome.replace(" ", "_")}_count`) ?? 0) + ".");
   if (report.kind === "creep curves")
     out.push(`The scene ${data.attributes.scene.split("/").pop()}, model ${data.attributes.model}: vertical force ` +
              `${number(valueOf(data, "Fz"))} N, friction bound μ Fn = ${number(valueOf(data, "bound"))} N.`);

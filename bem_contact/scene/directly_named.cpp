@@ -13,10 +13,10 @@ std::vector<NamedFile> directly_named(const SceneFile& scene) {
   };
   add("rail.profile", scene.rail.profile);
   add("wheel.profile", scene.wheel.profile);
-  add("wheelset.left_rail_profile", scene.wheelset.left_rail);
-  add("wheelset.left_wheel_profile", scene.wheelset.left_wheel);
-  add("wheelset.left_rail_influence", scene.wheelset.left_rail_influence);
-  add("wheelset.left_wheel_influence", scene.wheelset.left_wheel_influence);
+  add("left_rail.profile", scene.wheelset.left_rail.profile);
+  add("left_wheel.profile", scene.wheelset.left_wheel.profile);
+  add("left_rail.influence", scene.wheelset.left_rail.influence);
+  add("left_wheel.influence", scene.wheelset.left_wheel.influence);
   add("rail.influence", scene.rail.influence);
   add("wheel.influence", scene.wheel.influence);
   add("gap.table", scene.gap.table);

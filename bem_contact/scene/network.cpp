@@ -42,9 +42,9 @@ std::string slope_text(double inclination) {
 std::string inclination_words(const SceneFile& scene) {
   if (const double inclination = scene.position.rail_inclination; inclination != 0)
     return "rail inclined by " + slope_text(inclination);
-  return scene.track.network ? "rail not inclined"
-                             : "rail not inclined: it stands upright (neither track.network nor "
-                               "position.rail_inclination says otherwise)";
+  return is_standard_profile(scene.rail.profile) // of a file it may be inclined: nobody has looked
+             ? "rail not inclined: it stands upright (position.rail_inclination is 0)"
+             : "rail as it stands in its file (position.rail_inclination is 0)";
 }
 
 } // namespace

@@ -2,6 +2,8 @@
 
 #include "bem_contact/base/material_keys.hpp"
 
+#include <fmt/format.h>
+
 namespace bem_contact {
 
 void add_side(Schema& s, const std::string& name, const std::string& role, SceneFile::Side& side,
@@ -106,6 +108,36 @@ void add_load(Schema& s, SceneFile::Load& load) {
         {.unit = "N", .kinds = wheel_rail_alone});
 }
 
+namespace {
+
+/// What of a left body may differ from the right one.
+void add_left_side(Schema& s, const std::string& name, const std::string& right,
+                   SceneFile::Wheelset::LeftSide& left) {
+  SchemaTable t(s, name, wheel_rail_alone);
+  t.add("profile", left.profile,
+        fmt::format("Of a wheelset: the profile on the left (y to the field side) if it is another one; what "
+                    "this table "
+                    "leaves out is as in [{}]",
+                    right),
+        {.formerly = fmt::format("wheelset.{}_profile", name)});
+  add_profile_reading(s, name, left.reading, wheel_rail_alone);
+  if (right == "wheel")
+    add_flange_back(s, name, left.reading, wheel_rail_alone);
+  t.add("influence", left.influence, fmt::format("Influence file (HDF5) of {}.profile", name),
+        {.formerly = fmt::format("wheelset.{}_influence", name)});
+}
+
+} // namespace
+
+void add_left_sides(Schema& s, SceneFile::Wheelset& w) {
+  add_left_side(s, "left_rail", "rail", w.left_rail);
+  s.add("left_rail.inclination", w.left_rail_inclination,
+        "Of the left rail towards the track centre, if it is another one; not given: as "
+        "position.rail_inclination",
+        {.unit = "rad", .at_least = -0.5, .at_most = 0.5, .kinds = wheel_rail_alone});
+  add_left_side(s, "left_wheel", "wheel", w.left_wheel);
+}
+
 void add_wheelset(Schema& s, SceneFile::Wheelset& w) {
   SchemaTable t(s, "wheelset", wheel_rail_alone);
   t.add("force", w.force,
@@ -123,12 +155,6 @@ void add_wheelset(Schema& s, SceneFile::Wheelset& w) {
         "Torque that drives the axle (braking: below 0), where neither motion.rolling_radius nor "
         "pitch_rate is given; the rolling radius of the axle is found",
         {.unit = "N mm"});
-  t.add("left_rail_profile", w.left_rail,
-        "The left rail's profile if it is another one (y to the field side); read as rail.profile is");
-  t.add("left_wheel_profile", w.left_wheel,
-        "The left wheel's profile if it is another one (y to the field side)");
-  t.add("left_rail_influence", w.left_rail_influence, "Influence file of wheelset.left_rail_profile");
-  t.add("left_wheel_influence", w.left_wheel_influence, "Influence file of wheelset.left_wheel_profile");
   t.add("left_wheel_radius", w.left_wheel_radius,
         "Nominal radius of the left wheel if it is another one; 0: as position.wheel_radius",
         {.unit = "mm", .at_least = 0, .zero_is_none = true});

@@ -3,10 +3,14 @@
 #include "bem_contact/scene/friction_laws.hpp"
 #include "bem_contact/scene/settings.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
+#include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace bem_contact {
 
@@ -48,17 +52,21 @@ constexpr OneWheelKey of_one_wheel[] = {
 /// A scene with a table [wheelset] has neither a load nor a position of one wheel.
 void check_wheelset(const SceneFile& file, const Schema& schema) {
   if (!file.wheelset.force) {
-    for (const char* key :
-         {"wheelset.force_y", "wheelset.roll_moment", "wheelset.torque", "wheelset.left_rail_profile",
-          "wheelset.left_wheel_profile", "wheelset.left_friction", "wheelset.left_wheel_radius"})
+    std::vector<std::string> keys{
+        "wheelset.force_y",      "wheelset.roll_moment",      "wheelset.torque",     "wheelset.left_friction",
+        "left_rail.profile",     "left_wheel.profile",        "left_rail.influence", "left_wheel.influence",
+        "left_rail.inclination", "wheelset.left_wheel_radius"};
+    for (const char* table : {"left_rail", "left_wheel"})
+      std::ranges::move(given_reading(schema, table), std::back_inserter(keys));
+    for (const std::string& key : keys)
       if (schema.changed(key))
         schema.refuse(key, "wheelset.force is not given", "Give the vertical force on the axle in N.");
     return;
   }
   const SceneFile::Wheelset& w = file.wheelset;
   for (const auto& [influence, profile, key] :
-       {std::tuple(&w.left_rail_influence, &w.left_rail, "wheelset.left_rail_influence"),
-        {&w.left_wheel_influence, &w.left_wheel, "wheelset.left_wheel_influence"}})
+       {std::tuple(&w.left_rail.influence, &w.left_rail.profile, "left_rail.influence"),
+        {&w.left_wheel.influence, &w.left_wheel.profile, "left_wheel.influence"}})
     if (!influence->empty() && profile->empty())
       schema.refuse(key, "its profile is not given", "Give the left side's profile too.");
   if (w.left_friction && !file.motion.friction_table.empty())

@@ -51,7 +51,7 @@ struct SceneReader::State {
     schema.share("wear");
     schema.read(given.toml, given.source);
     for (const SceneChange& change : changes)
-      schema.set(change.key, change.value, change.line);
+      schema.set(change.key, change.value, change.line, change.source);
   }
 };
 
@@ -65,7 +65,7 @@ SceneReader::SceneReader(SceneReader&&) noexcept = default;
 
 void SceneReader::set(const SceneChange& change) {
   try {
-    state_->schema.set(change.key, change.value, change.line);
+    state_->schema.set(change.key, change.value, change.line, change.source);
   } catch (...) { // the schema may have taken half of it
     state_ = std::make_unique<State>(given_, changes_);
     throw;
@@ -84,13 +84,25 @@ void SceneReader::require_key(const std::string& key) const {
 
 SceneFile SceneReader::scene() const {
   SceneFile file = checked(state_->file, state_->read, state_->schema);
+  const auto beside = [&](std::string_view table) { // a scene for bem_contact study, which answers all tables
+    return std::ranges::any_of(
+        command_tables, [&](std::string_view other) { return other != table && state_->schema.has(other); });
+  };
   if (changes_.empty()) // a case of a sweep has changes
     for (const char* table : {"sweep", "table"})
-      if (state_->schema.has(table))
-        file.unused.push_back(fmt::format(
-            "[{0}]: without effect (one case is solved, that of the other keys; bem_contact {0} solves all)",
-            table));
+      if (state_->schema.has(table) && !beside(table))
+        file.unused.push_back(
+            fmt::format("[{0}]: one case is solved here, that of the other keys; bem_contact {0} "
+                        "solves all, and bem_contact study both",
+                        table));
   return file;
+}
+
+void SceneReader::require_effect(std::span<const std::string> swept) const {
+  const SceneFile file = checked(state_->file, state_->read, state_->schema);
+  for (const OverruledKey& one : overruled_keys(file, state_->schema))
+    if (std::ranges::find(swept, one.key) != swept.end())
+      state_->schema.refuse(one.key, fmt::format("{}: all cases would be the same", one.why), one.what_to_do);
 }
 
 SceneText read_scene_text(const std::filesystem::path& file) {
@@ -128,14 +140,14 @@ SceneFile one_wheel(SceneFile scene, WheelSide side) {
   scene.position.side = side;
   if (side == WheelSide::right)
     return scene;
-  const auto differ = [](SceneFile::Side& body, const std::string& profile, const std::string& influence) {
-    if (profile.empty())
-      return;
-    body.profile = profile;
-    body.influence = influence;
-  };
-  differ(scene.rail, given.left_rail, given.left_rail_influence);
-  differ(scene.wheel, given.left_wheel, given.left_wheel_influence);
+  for (const auto& [body, left] :
+       {std::pair(&scene.rail, &given.left_rail), {&scene.wheel, &given.left_wheel}})
+    if (!left->profile.empty()) {
+      body->profile = left->profile;
+      body->reading = left->reading;
+      body->influence = left->influence;
+    }
+  scene.position.rail_inclination = given.left_rail_inclination.value_or(scene.position.rail_inclination);
   scene.motion.friction = given.left_friction.value_or(scene.motion.friction);
   scene.position.wheel_radius = given.left_wheel_radius.value_or(scene.position.wheel_radius);
   return scene;

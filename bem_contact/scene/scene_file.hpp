@@ -89,8 +89,18 @@ struct SceneFile {
                                         ///< right; position.lateral is found
     double roll_moment = 0;             ///< on the axle, about its centre, N mm, right side down
     double torque = 0;                  ///< that drives the axle, N mm; the rolling radius is found
-    /// The left side where it differs: profiles with influence files of their own, and friction.
-    std::string left_rail, left_wheel, left_rail_influence, left_wheel_influence;
+    /// [left_rail], [left_wheel]: a body of the left side where it differs. What its table leaves out is as
+    /// on the right, but for the influence file, which belongs to a profile.
+    struct LeftSide {
+      std::string profile;    ///< y to the field side; "": nothing differs
+      ProfileReading reading; ///< how its file is read
+      std::string influence;
+
+      bool operator==(const LeftSide&) const = default;
+    };
+    LeftSide left_rail, left_wheel;
+    std::optional<double> left_rail_inclination =
+        {}; ///< left_rail.inclination, rad; empty: as position.rail_inclination
     std::optional<double> left_friction = {};     ///< Coulomb's mu
     std::optional<double> left_wheel_radius = {}; ///< nominal, at the tape circle, mm
 
@@ -249,9 +259,10 @@ struct SceneFile {
 
 /// A key of a scene with another value than its file says (sweep_file.hpp).
 struct SceneChange {
-  std::string key;   ///< dotted: "position.lateral"
-  SchemaValue value; ///< a number, flag, text or list of numbers
-  int line = 0;      ///< of the file, for messages; 0: none
+  std::string key;         ///< dotted: "position.lateral"
+  SchemaValue value;       ///< a number, flag, text or list of numbers
+  int line = 0;            ///< of the file, for messages; 0: none
+  std::string source = {}; ///< the file of `line`; "": that of the scene
 };
 
 /// Read a scene; `changes` replace values of the file. Tables [sweep] and [table] are ignored
@@ -289,7 +300,7 @@ struct NamedFile {
   std::string name;           ///< as the scene gives it
   std::filesystem::path file; ///< in the scene's folder
 };
-/// Says whether a key names a profile, as "rail.profile" and "wheelset.left_rail_profile" do.
+/// Says whether a key names a profile, as "rail.profile" and "left_rail.profile" do.
 bool names_profile(std::string_view key);
 /// Says the same of influence files.
 bool names_influence(std::string_view key);

@@ -3,6 +3,8 @@
 #include "bem_contact/base/material_keys.hpp"
 #include "bem_contact/scene/network.hpp"
 
+#include <fmt/format.h>
+
 namespace bem_contact {
 
 namespace {
@@ -130,6 +132,33 @@ void add_solver(Schema& s, SceneFile::Solver& solver) {
         {.kinds = wheel_rail_alone});
 }
 
+/// What the table leaves out is as on the right. `right` is settled.
+void settle_left(const Schema& s, const std::string& name, const SceneFile::Side& right,
+                 SceneFile::Wheelset::LeftSide& left) {
+  const auto given = [&](const char* key) { return s.has(fmt::format("{}.{}", name, key)); };
+  if (left.profile.empty() && given_reading(s, name).empty())
+    return;
+  ProfileReading reading = right.reading;
+  if (given("smoothing"))
+    reading.smoothing = left.reading.smoothing;
+  if (given("nominal"))
+    reading.nominal = left.reading.nominal;
+  if (given("unit"))
+    reading.unit = left.reading.unit;
+  if (given("profile_z"))
+    reading.profile_z = left.reading.profile_z;
+  if (given("mirror"))
+    reading.mirror = left.reading.mirror;
+  if (given("flange_back"))
+    reading.flange_back = left.reading.flange_back;
+  left.reading = reading;
+  if (!left.profile.empty())
+    return;
+  left.profile = right.profile;
+  if (left.influence.empty())
+    left.influence = right.influence;
+}
+
 } // namespace
 
 Schema scene_schema(SceneFile& f, SceneKeysAsRead& read) {
@@ -142,6 +171,7 @@ Schema scene_schema(SceneFile& f, SceneKeysAsRead& read) {
   add_track(s, f.track);
   add_load(s, f.load);
   add_wheelset(s, f.wheelset);
+  add_left_sides(s, f.wheelset);
   add_motion(s, f.motion);
   add_grid(s, f.grid, read);
   add_patch(s, f.gap, f.strip);
@@ -163,6 +193,8 @@ void settle(SceneFile& f, const Schema& s, const SceneKeysAsRead& read) {
       side->reading.keep_origin = true;
       (side == &f.rail ? f.position.rail_origin : f.position.wheel_origin) = Point2{side->y, side->z};
     }
+  settle_left(s, "left_rail", f.rail, f.wheelset.left_rail);
+  settle_left(s, "left_wheel", f.wheel, f.wheelset.left_wheel);
   f.position.roller_radius = f.rail.roller_radius.value_or(0);
   if (read.s_from != 0 || read.s_to != 0)
     f.grid.rows = {read.s_from, read.s_to};

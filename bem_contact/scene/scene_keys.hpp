@@ -29,14 +29,22 @@ void check_keys(const SceneFile& file, const Schema& schema);
 /// one sentence for each reason.
 std::vector<std::string> unused_keys(const SceneFile& scene, const Schema& schema);
 
+/// A key whose value changes nothing, because another key is given.
+struct OverruledKey {
+  std::string key, why, what_to_do;
+};
+/// All of a scene, whether the file gives them or not.
+std::vector<OverruledKey> overruled_keys(const SceneFile& scene, const Schema& schema);
+
 /// [rail] or [wheel], the `name`. `role` and `standards`: for the explanation; `young`: read beside the shear
 /// modulus.
 void add_side(Schema& s, const std::string& name, const std::string& role, SceneFile::Side& side,
               const std::string& standards, double& young);
-void add_position(Schema& s, SceneFile::Position& p); ///< [position]
-void add_track(Schema& s, SceneFile::Track& track);   ///< [track]
-void add_load(Schema& s, SceneFile::Load& load);      ///< [load]
-void add_wheelset(Schema& s, SceneFile::Wheelset& w); ///< [wheelset]
+void add_position(Schema& s, SceneFile::Position& p);   ///< [position]
+void add_track(Schema& s, SceneFile::Track& track);     ///< [track]
+void add_load(Schema& s, SceneFile::Load& load);        ///< [load]
+void add_wheelset(Schema& s, SceneFile::Wheelset& w);   ///< [wheelset]
+void add_left_sides(Schema& s, SceneFile::Wheelset& w); ///< [left_rail], [left_wheel]
 
 void add_motion(Schema& s, SceneFile::Motion& m);           ///< [motion]
 void add_temperature(Schema& s, SceneFile::Temperature& t); ///< [temperature]

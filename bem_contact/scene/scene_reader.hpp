@@ -3,6 +3,7 @@
 #include "bem_contact/scene/scene_file.hpp"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ public:
   void set_number(const std::string& key, double number);
   /// Throws InputError for an unknown key, with the nearest ones.
   void require_key(const std::string& key) const;
+
+  /// Throws InputError for a key of `swept` that another key overrules, so that its values change nothing.
+  void require_effect(std::span<const std::string> swept) const;
 
   /// The scene as it is now, checked like any scene. Throws InputError.
   SceneFile scene() const;

@@ -6,6 +6,7 @@
 #include "bem_contact/base/toml.hpp"
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/scene/case_table.hpp"
+#include "bem_contact/scene/scene_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,7 @@
 #include <fmt/ranges.h>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -38,6 +40,8 @@ struct Reader {
                             ///< the command
   int table_line = 0;       ///< of a CSV file of lists
   std::filesystem::path table_file = {};
+  std::map<std::string, std::string> renamed = {}; ///< columns of it
+  int columns_line = 0;
   bool zip = false;
   std::vector<SweepFile::Axis> together = {}; ///< the lists of sweep.together
 
@@ -63,6 +67,8 @@ struct Reader {
         weights(node, line);
       else if (section != "table" && key == "table")
         case_table(node, line);
+      else if (section != "table" && key == "columns")
+        columns(node, line);
       else if (inner && (inner->contains("from") || inner->contains("to")))
         sweep.axes.push_back({key, range(*inner, key, line), line, true});
       else if (inner)
@@ -112,6 +118,9 @@ struct Reader {
   /// After all else is read: the cases of a table, and which lists go side by side.
   void finish(bool mode_given) {
     std::ranges::stable_sort(sweep.axes, {}, &SweepFile::Axis::line);
+    if (columns_line > 0 && table_line == 0)
+      refuse(columns_line, fmt::format("{}.columns is given without a table", section),
+             "it says what columns of a table are", fmt::format("Give {}.table, or leave it out.", section));
     if (table_line > 0)
       cases_of_table(mode_given);
     if (zip || section == "sweep.together")
@@ -122,15 +131,27 @@ struct Reader {
     if (!sweep.axes.empty() || !sweep.weights.empty() || mode_given)
       refuse(table_line, fmt::format("{}.table is given beside lists, weights or a mode", section),
              "its columns are the lists, its lines the cases", "Give either the table or lists.");
-    CaseTable cases = read_case_table(table_file);
+    CaseTable cases = read_case_table(table_file, renamed);
     for (CaseTable::Column& column : cases.columns)
-      sweep.axes.push_back({std::move(column.key), std::move(column.values), table_line});
+      sweep.axes.push_back({std::move(column.key), std::move(column.values), table_line, false, false,
+                            sweep.tables.back().file.string(), cases.lines});
     sweep.weights = std::move(cases.weights);
     if (section != "sweep" && !sweep.weights.empty())
       refuse(table_line, "a table of sweep.together has weights",
              "weights belong to the load collective, which is swept with every pair of bodies",
              "Remove the column weight.");
     zip = true;
+  }
+
+  void columns(const toml::node& node, int line) {
+    const toml::table* names = node.as_table();
+    if (!names || !std::ranges::all_of(*names, [](const auto& one) { return one.second.is_string(); }))
+      refuse(line, fmt::format("{}.columns cannot be that", section),
+             "it says of columns of the table which key each is",
+             "Give for instance columns = { time = \"note\", y = \"position.lateral\" }.");
+    for (const auto& [name, meaning] : *names)
+      renamed.emplace(name.str(), meaning.value_or(std::string()));
+    columns_line = line;
   }
 
   void mode(const toml::node& node, int line) {
@@ -245,18 +266,40 @@ std::vector<SceneChange> SweepFile::changes(std::size_t index) const {
   const std::vector<std::size_t> at = indices(index);
   std::vector<SceneChange> out;
   for (std::size_t a = 0; a < axes.size(); ++a)
-    out.push_back({axes[a].key, axes[a].values[at[a]], axes[a].line});
+    if (const Axis& axis = axes[a]; !axis.is_note())
+      out.push_back(
+          {axis.key, axis.values[at[a]], axis.lines.empty() ? axis.line : axis.lines[at[a]], axis.table});
   return out;
 }
 
 SceneFile SweepFile::scene(std::size_t index) const {
-  return parse_scene_file(text, changes(index));
+  SceneReader reader(text);
+  for (const SceneChange& change : changes(index))
+    reader.set(change);
+  std::vector<std::string> swept;
+  for (const Axis& axis : axes)
+    if (axis.values.size() > 1)
+      swept.push_back(axis.key);
+  reader.require_effect(swept);
+  return reader.scene();
+}
+
+SceneFile SweepFile::first_scene() const {
+  if (std::ranges::all_of(axes, &std::string::empty, &Axis::table))
+    return scene(0);
+  for (std::size_t i = 0; i < size(); ++i)
+    try {
+      return scene(i);
+    } catch (const InputError&) { // another line may be one
+    }
+  return scene(0);
 }
 
 std::string SweepFile::describe(std::size_t index) const {
   std::string out;
-  for (const SceneChange& change : changes(index))
-    out += fmt::format("{}{} = {}", out.empty() ? "" : ", ", change.key, to_text(change.value));
+  const std::vector<std::size_t> at = indices(index);
+  for (std::size_t a = 0; a < axes.size(); ++a)
+    out += fmt::format("{}{} = {}", out.empty() ? "" : ", ", axes[a].key, to_text(axes[a].values[at[a]]));
   return out;
 }
 
@@ -348,9 +391,8 @@ void add_checked(std::set<std::size_t>& checked, CaseRange cases, std::size_t va
       checked.insert(std::max(cases.first, k * stride));
 }
 
-} // namespace
-
-void check_values(const SweepFile& sweep, CaseRange cases) {
+/// The cases that have every value.
+std::set<std::size_t> cases_to_check(const SweepFile& sweep, CaseRange cases) {
   std::set<std::size_t> checked{cases.first};
   std::size_t stride = sweep.size();
   for (auto axis = sweep.axes.begin(); axis != sweep.axes.end();) {
@@ -362,8 +404,32 @@ void check_values(const SweepFile& sweep, CaseRange cases) {
   }
   if (checked.size() >= many_scenes)
     messages()->info("{} scenes of '{}' are checked before one is solved", checked.size(), sweep.text.source);
-  for (const std::size_t index : checked)
+  return checked;
+}
+
+} // namespace
+
+void check_values(const SweepFile& sweep, CaseRange cases) {
+  for (const std::size_t index : cases_to_check(sweep, cases))
     sweep.scene(index);
+}
+
+void check_cases(const SweepFile& sweep, CaseRange cases) {
+  if (std::ranges::all_of(sweep.axes, &std::string::empty, &SweepFile::Axis::table))
+    return check_values(sweep, cases);
+  sweep.first_scene(); // throws where there is none
+  std::size_t refused = 0;
+  std::string why;
+  for (const std::size_t index : cases_to_check(sweep, cases))
+    try {
+      sweep.scene(index);
+    } catch (const InputError& error) {
+      if (refused++ == 0)
+        why = error.what();
+    }
+  if (refused > 0)
+    messages()->warn("{} of '{}' {} recorded as refused, and the others are solved; the first: {}",
+                     counted(refused, "case", "cases"), sweep.text.source, refused == 1 ? "is" : "are", why);
 }
 
 std::string to_text(const SchemaValue& value) {

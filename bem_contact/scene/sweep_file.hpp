@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/scene/case_table.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 
 #include <cstddef>
@@ -29,6 +30,7 @@ struct CaseRange {
 ///
 ///     [sweep]
 ///     table = "collective.csv"     # instead of lists: one line a case
+///     columns = { time = "note", y = "position.lateral" } # what columns are whose names are no keys
 ///
 ///     [[sweep.together]]           # lists side by side, as one list of the product; or table = "rails.csv"
 ///     rail.profile = [ "60E1", "worn.prr" ]
@@ -42,8 +44,12 @@ struct SweepFile {
     std::string key;
     std::vector<SchemaValue> values;
     int line = 0;
-    bool range = false;  ///< given by its ends
-    bool beside = false; ///< goes side by side with the axis before: the two are one list of the product
+    bool range = false;     ///< given by its ends
+    bool beside = false;    ///< goes side by side with the axis before: the two are one list of the product
+    std::string table = {}; ///< the file that has its values; "": the scene
+    std::vector<int> lines = {}; ///< of each value in that file; empty: `line`
+
+    bool is_note() const { return key.starts_with(CaseTable::Column::note_prefix); } ///< no key of the scene
   };
 
   SceneText text;              ///< with the table
@@ -69,6 +75,8 @@ struct SweepFile {
   std::vector<SceneChange> changes(std::size_t index) const;
   /// Throws InputError naming the line of the value that is wrong.
   SceneFile scene(std::size_t index) const;
+  /// The first case that is a scene: lines of a table may be none, as where a wheel lifts. Throws InputError.
+  SceneFile first_scene() const;
   /// "position.lateral = 6.2, load.force = 50000"
   std::string describe(std::size_t index) const;
 };
@@ -90,6 +98,11 @@ void check_values(const SweepFile& sweep, CaseRange cases);
 inline void check_values(const SweepFile& sweep) {
   check_values(sweep, sweep.all());
 }
+
+/// The same for who records a case that is refused and goes on: a line of a table may be no scene. Says in a
+/// message how many are. Throws InputError where no case of the sweep is a scene, or a list of the scene file
+/// holds a wrong value.
+void check_cases(const SweepFile& sweep, CaseRange cases);
 
 /// Returns the value as TOML writes it, numbers with the fewest digits that give them back.
 std::string to_text(const SchemaValue& value);

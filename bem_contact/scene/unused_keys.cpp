@@ -147,8 +147,11 @@ std::vector<Cause> causes_of_grid(const SceneFile& f) {
 
 std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
   std::vector<std::string> out = schema.former_names();
-  for (const auto& [table, side] : {std::pair{"rail", &f.rail}, std::pair{"wheel", &f.wheel}}) {
-    const std::string& profile = side->profile;
+  for (const auto& [table, name] : {std::pair{"rail", &f.rail.profile},
+                                    {"wheel", &f.wheel.profile},
+                                    {"left_rail", &f.wheelset.left_rail.profile},
+                                    {"left_wheel", &f.wheelset.left_wheel.profile}}) {
+    const std::string& profile = *name;
     if (const auto given = given_reading(schema, table);
         !given.empty() && (is_standard_profile(profile) || profile.ends_with(".toml")))
       out.push_back(fmt::format("{}: without effect ({} is no profile file{})", fmt::join(given, ", "),
@@ -164,6 +167,50 @@ std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
       if (!given.empty())
         out.push_back(fmt::format("{}: without effect ({})", fmt::join(given, ", "), cause.why));
     }
+  return out;
+}
+
+namespace {
+
+/// What a search finds: the key says at most where it begins.
+std::vector<OverruledKey> found_keys(const SceneFile& f) {
+  std::vector<OverruledKey> out;
+  const auto add = [&](bool given, const char* key, const char* by, const char* what) {
+    if (given)
+      out.push_back({key, fmt::format("{} is given, and {} is found for it", by, what),
+                     fmt::format("Sweep {}, or leave {} out.", by, by)});
+  };
+  add(f.load.force_y.has_value(), "position.lateral", "load.force_y", "the lateral displacement");
+  add(f.wheelset.force_y.has_value(), "position.lateral", "wheelset.force_y", "the lateral displacement");
+  add(f.load.force_x.has_value(), "motion.xi", "load.force_x", "the creepage");
+  add(f.load.force_s.has_value(), "motion.eta", "load.force_s", "the creepage");
+  return out;
+}
+
+/// Whether [position] has all that a network would give it.
+bool gives_whole_track(const SceneFile& f, const Schema& s) {
+  return s.has("position.gauge") && s.has("position.gauge_height") && s.has("position.back_to_back") &&
+         s.has("position.rail_inclination") &&
+         (s.has("position.tape_circle") || is_standard_profile(f.wheel.profile));
+}
+
+} // namespace
+
+std::vector<OverruledKey> overruled_keys(const SceneFile& f, const Schema& schema) {
+  std::vector<OverruledKey> out = found_keys(f);
+  if (f.track.network && gives_whole_track(f, schema))
+    out.push_back(
+        {"track.network", "[position] gives all that a network says", "Leave out those keys of [position]."});
+  if (f.solver.model)
+    for (const char* key : {"solver.model_tolerance", "solver.model_tolerance_of"})
+      out.push_back(
+          {key, "solver.model is given, and nothing is chosen", "Leave out solver.model, or give \"auto\"."});
+  for (const std::vector<Cause>& causes : {causes_of_motion(f), causes_of_grid(f), causes_of_bodies(f)})
+    for (const Cause& cause : causes)
+      for (const char* key : cause.keys)
+        if (cause.holds)
+          out.push_back(
+              {key, cause.why, "Leave it out of the sweep, or what overrules it out of the scene."});
   return out;
 }
 

@@ -82,6 +82,7 @@ CreepForces creep_forces(const SceneFile& equal, const std::vector<SceneResult>&
                        *free.motion.free_rolling, creepage);
       out.Fx[m].push_back(beyond.result.totals.Fx);
       out.Fx_error[m].push_back(beyond.result.totals.Fx.error);
+      out.certified = out.certified && certified(beyond);
     }
   return out;
 }
@@ -122,6 +123,13 @@ Comparison compare_models(const SceneFile& scene, std::vector<Model> models, con
   if (!the_same && free_rolling)
     out.creep_forces = creep_forces(equal, out.at_forces, solve_beyond);
   return out;
+}
+
+bool certified(const Comparison& comparison) {
+  const auto all = [](const std::vector<SceneResult>& results) {
+    return std::ranges::all_of(results, [](const SceneResult& r) { return certified(r); });
+  };
+  return all(comparison.at_forces) && all(comparison.at_position) && comparison.creep_forces.certified;
 }
 
 } // namespace bem_contact

@@ -13,6 +13,7 @@ struct CreepForces {
   /// These are the forces on the rail, N, and their errors by the size of the elements (nan: not known):
   /// [model][creepage].
   std::vector<std::vector<double>> Fx, Fx_error;
+  bool certified = true; ///< all of them
 
   bool empty() const { return creepage.empty(); } ///< whether the comparison has none
 };
@@ -39,6 +40,9 @@ struct Comparison {
   /// Returns the results to look at first: those at equal forces, where there are some.
   const std::vector<SceneResult>& leading() const { return at_forces.empty() ? at_position : at_forces; }
 };
+
+/// Whether every result and every creep force is certified.
+bool certified(const Comparison& comparison);
 
 /// Answers a scene with the model that it names.
 using SceneSolver = std::function<SceneResult(const SceneFile&)>;

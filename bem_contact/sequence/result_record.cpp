@@ -324,12 +324,9 @@ Record record_of(const Comparison& c, const RecordParts& parts) {
       out.add(std::string(name_of(c.models[m])), Field{"N", meaning, {all[m].size()}, all[m]});
     return out;
   };
-  const auto all_certified = [](const std::vector<SceneResult>& results) {
-    return std::ranges::all_of(results, [](const SceneResult& r) { return certified(r); });
-  };
   Record out{{"models", std::move(models)},
              {"reference", record::Text{std::string(name_of(c.models[c.reference]))}},
-             {"certified", all_certified(c.at_forces) && all_certified(c.at_position)},
+             {"certified", certified(c)},
              {"at_equal_forces", set_of(c.at_forces)},
              {"at_equal_position", set_of(c.at_position)}};
   if (c.creep_forces.empty())

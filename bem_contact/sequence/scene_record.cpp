@@ -36,7 +36,7 @@ InputRecord record_of(const NamedFile& named) {
   InputRecord out{named.key, without_machine(named.name), {}, {}};
   std::error_code unknown;
   if (!names_influence(named.key) && std::filesystem::file_size(named.file, unknown) <= largest_kept_input)
-    out.content = read_text_file(file, "input");
+    out.content = read_bytes(file, "input"); // as its digest has it
   out.sha256 = out.content ? sha256(*out.content) : sha256_of_file(file);
   if (out.content && out.content->find('\0') != std::string::npos) // a text in HDF5 ends there
     out.content.reset();

@@ -40,4 +40,9 @@ ConvergenceError uncertified_error(const SceneResult& result) {
               : "Coarsen the grid, lower solver.tolerance, or raise solver.max_outer."};
 }
 
+void require_certified(const SceneResult& result) {
+  if (!certified(result))
+    throw uncertified_error(result);
+}
+
 } // namespace bem_contact

@@ -16,5 +16,7 @@ std::string why_not_convergent(const ContactResult& result);
 
 /// Returns the same as an error, for callers that take only certified results.
 ConvergenceError uncertified_error(const SceneResult& result);
+/// Throws it unless the result is certified(): there is no wear, fatigue or table of what is no solution.
+void require_certified(const SceneResult& result);
 
 } // namespace bem_contact

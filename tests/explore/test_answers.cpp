@@ -62,6 +62,25 @@ TEST(Answers, AreThoseOfTheSolver) {
   EXPECT_THAT(reply["data"]["scene_with_defaults"]["text"].get<std::string>(), HasSubstr("lateral = 1"));
 }
 
+/// A wheelset is shown with both its wheels, by the solution that the command finds.
+TEST(Answers, OfAWheelsetHaveBothWheels) {
+  std::string axle = small;
+  axle.replace(axle.find("load.force = 5e4"), 16, "wheelset.force = 1e5\nposition.lateral = 2");
+  Answers answers(Start{.scene = {axle}});
+  const json reply = answer_of(answers, axle);
+  ASSERT_EQ(problem_of(reply), "");
+  const WheelsetResult alone = solve_wheelset(parse_scene_file({axle}));
+  for (const WheelSide side : both_sides) {
+    const json& wheel = reply["data"]["wheels"][std::string(name_of(side))];
+    EXPECT_EQ(wheel["attributes"]["certified"], 1);
+    EXPECT_EQ(wheel["quantities"]["pmax"]["values"][0], double(alone.state.solved(side).result.totals.pmax));
+    EXPECT_TRUE(wheel.contains("p_n") && !wheel.contains("u_x"));
+  }
+  const json question{
+      {"text", axle}, {"changes", json::object()}, {"files", json::object()}, {"window", "test"}};
+  EXPECT_THAT(answers.report(question.dump()).body, HasSubstr("<html"));
+}
+
 TEST(Answers, SayWhatIsWrong) {
   Answers answers(Start{.scene = {small}});
   EXPECT_THAT(problem_of(answer_of(answers, small, {{"position.latteral", 1.0}})),

@@ -113,5 +113,94 @@ class Doors(unittest.TestCase):
             self.assertEqual(count, 19)
 
 
+STEADY = """kind = "patch"
+wheel.material = { shear_modulus = 800, poisson = 0 }
+load.force = 100
+motion = { friction = 0.3, xi = 1e-3 }
+solver = { max_outer = 1, model = "halfspace" }
+grid = { dx = 0.5, ds = 0.5, mx = 16, ms = 16 }
+gap = { a = 1e-3, b = 1e-3 }
+"""
+ON_RAIL = """rail.profile = "60E1"
+wheel.profile = "S1002"
+wheel.material = { shear_modulus = 8000, poisson = 0 }
+position.rail_inclination = 0.025
+motion = { friction = 0.3, xi = 2e-3 }
+solver = { max_outer = 1, model = "halfspace" }
+grid = { dx = 2.0, ds = 2.0 }
+"""
+AXLE = ON_RAIL.replace(", xi = 2e-3", "") + "wheelset.force = 1.6e5\n"
+TABLE = "[table]\nmotion.xi = [1e-3, 2e-3]\n"
+SWEEP = "[sweep]\nmotion.xi = [1e-3, 2e-3]\n"
+
+# Every command that solves a contact, with a scene that is no solution: the program ends with 3. {0}: the scene, {1}: a name.
+SOLVE = {"solve": (SHIFT, ["{0}"]), "compare": (STEADY, ["{0}", "--models", "halfspace,tangent_plane"]), "sweep": (SHIFT + SWEEP, ["{0}", "-o", "{1}.h5"]),
+         "creep-curves": (STEADY, ["{0}", "--xi", "-1e-3:1e-3:3"]), "table": (SHIFT + TABLE, ["{0}", "-o", "{1}.h5"]), "fatigue": (SHIFT, ["{0}"]),
+         "wear": (ON_RAIL + "load.force = 8e4\n", ["{0}"]), "wheelset": (AXLE, ["{0}"]), "study": (SHIFT, ["{0}", "-o", "{1}"])}
+SHOW = {"info", "report", "plot"}  # files of results: Doors has what each says
+ASKED = {"explore": "it serves a page; test_explore and test_answers ask it"}
+NO_CONTACT = {"new", "from-contact", "check", "influence", "profile", "conicity"}  # they solve none
+
+
+class EveryDoor(unittest.TestCase):
+    """The lists of commands and functions are the program's and the module's own: a new one must be visited here."""
+
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = Path(self.temporary.name)
+        (self.folder / "steps.csv").write_text("load\n" + "0.01\n" * 4 + "-0.01\n")  # the last step is a solution, those before are none
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def scene(self, text, name="s.toml"):
+        (self.folder / name).write_text(text)
+        return self.folder / name
+
+    def program(self, *words):
+        return subprocess.run([os.environ["BEM_CONTACT"], *map(str, words)], capture_output=True, text=True)
+
+    def test_every_command(self):
+        listed = re.findall(r"^  ([a-z][a-z-]*) ", self.program("--help").stdout.split("Subcommands:")[1], re.M)
+        self.assertGreater(len(listed), 15)
+        self.assertEqual(set(listed), set(SOLVE) | SHOW | set(ASKED) | NO_CONTACT)
+        for command, (text, words) in SOLVE.items():
+            with self.subTest(command):
+                scene = self.scene(text)
+                done = self.program(command, *(word.format(scene, self.folder / f"out_{command}") for word in words))
+                self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
+
+    def of_functions(self):
+        """What says whether a function takes the scene for solved."""
+        of_history, steady = self.scene(SHIFT), self.scene(STEADY, "steady.toml")
+        on_rail, axle = self.scene(ON_RAIL + "load.force = 8e4\n", "rail.toml"), self.scene(AXLE, "axle.toml")
+        swept, tabled = self.scene(SHIFT + SWEEP, "swept.toml"), self.scene(SHIFT + TABLE, "tabled.toml")
+        worn = self.scene(ON_RAIL + "load.force = 8e4\n" + SWEEP, "worn.toml")
+        return {"solve": lambda: bem_contact.solve(of_history).certified,
+                "compare": lambda: all(r.certified for r in bem_contact.compare(steady, ["halfspace", "tangent_plane"])["at_equal_forces"].values()),
+                "sweep": lambda: "certified" in bem_contact.sweep(swept)["status"],
+                "creep_curves": lambda: bem_contact.creep_curves(steady, xi=[-1e-3, 0, 1e-3])["certified"],
+                "table": lambda: bem_contact.table(tabled) is not None, "fatigue": lambda: bem_contact.fatigue(of_history) is not None,
+                "wear": lambda: bem_contact.wear(worn) is not None, "wheelset": lambda: bem_contact.wheelset(axle)["certified"],
+                "study": lambda: bem_contact.study(of_history, self.folder / "studied")["parts"]["solve"]["study_status"] == "certified",
+                "fatigue of a result": lambda: bem_contact.fatigue(bem_contact.solve(of_history)) is not None,
+                "wear of a result": lambda: bem_contact.wear(bem_contact.solve(on_rail)) is not None,
+                "Sequence": lambda: bem_contact.Sequence(of_history).solve().certified}
+
+    def test_every_function(self):
+        visits = self.of_functions()
+        named = {name for name in dir(bem_contact) if not name.startswith("_") and callable(getattr(bem_contact, name))}
+        apart = {"Error", "InputError", "ConvergenceError", "Result", "Sweep", "Table", "Profile",  # what functions give and take
+                 "check", "conicity", "conicity_map", "profile", "standards", "read_table",  # no contact is solved
+                 "plot", "report"}  # files of results: Doors has what each says
+        self.assertEqual(named, {name for name in visits if " of " not in name} | apart)
+        for name, visit in visits.items():
+            with self.subTest(name):
+                try:
+                    self.assertFalse(visit())
+                except bem_contact.ConvergenceError:
+                    pass  # the same in one word
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -117,4 +117,42 @@ TEST(CaseTable, OfASweepIsCheckedLikeLists) {
               HasSubstr("gone.csv"));
 }
 
+/// Excel writes three bytes in front of the names, and line ends of its own.
+TEST(CaseTable, MayHaveAByteOrderMark) {
+  const SweepFile sweep = sweep_of("\xef\xbb\xbfposition.lateral, load.force\r\n0.5, 8e4\r\n1.5, 9e4\r\n");
+  EXPECT_EQ(sweep.axes.front().key, "position.lateral");
+  EXPECT_EQ(sweep.scene(1).load.force, 9e4);
+}
+
+/// What is no key is carried along: by its name, or because the scene says so.
+TEST(CaseTable, CarriesNotesAlong) {
+  const SweepFile sweep = sweep_of("time,y [mm],note.place\n0.1,0.5,km 3\n0.2,1.5,km 4\n",
+                                   "columns = { time = \"note\", \"y [mm]\" = \"position.lateral\" }\n");
+  EXPECT_EQ(sweep.scene(1).position.lateral, 1.5);
+  EXPECT_EQ(sweep.describe(1), "note.time = 0.2, position.lateral = 1.5, note.place = \"km 4\"");
+  EXPECT_EQ(sweep.changes(0).size(), 1U);
+  const auto message = [](const std::string& columns) {
+    return message_of([&] { sweep_of("time,position.lateral\n0,1\n", columns); });
+  };
+  EXPECT_THAT(message("columns = { tine = \"note\" }\n"),
+              AllOf(HasSubstr("no column has the name 'tine'"), HasSubstr("time, position.lateral")));
+  EXPECT_THAT(message("columns = 3\n"), HasSubstr("sweep.columns cannot be that"));
+  EXPECT_THAT(
+      message_of([] { parse_sweep_file(wheel_rail + "columns = { a = \"note\" }\nload.force = [1, 2]\n"); }),
+      HasSubstr("without a table"));
+}
+
+/// A wheel that lifts in a history: that line is refused, with its place, and the others are cases.
+TEST(CaseTable, ALineMayBeNoScene) {
+  const SweepFile sweep = sweep_of("position.lateral,load.force\n0,0\n1,8e4\n2,0\n");
+  EXPECT_THAT(message_of([&] { sweep.scene(2); }),
+              AllOf(HasSubstr("ALineMayBeNoScene.csv:4: load.force = 0"), HasSubstr("out of range")));
+  EXPECT_EQ(message_of([&] { check_cases(sweep, sweep.all()); }), "no error");
+  EXPECT_EQ(message_of([&] { check_cases(sweep, {0, 1}); }), "no error"); // a part of it
+  EXPECT_EQ(sweep.first_scene().position.lateral, 1);
+  EXPECT_THAT(message_of([&] { check_values(sweep); }), HasSubstr(".csv:2: load.force"));
+  const SweepFile none = sweep_of("load.force\n0\n-1\n");
+  EXPECT_THAT(message_of([&] { check_cases(none, none.all()); }), HasSubstr(".csv:2: load.force"));
+}
+
 } // namespace

@@ -211,4 +211,25 @@ TEST(SweepFile, ASceneWithASweepIsASceneToo) {
   EXPECT_EQ(parse_scene_file(text + "load.force = [1e3]\n").load.force, 5e3);
 }
 
+/// Else all cases would be the same, without a word.
+TEST(SweepFile, AKeyThatAnotherOverrulesIsNotSwept) {
+  const auto message = [](const std::string& more, const std::string& swept) {
+    const SweepFile sweep = parse_sweep_file("rail.profile = '60E1'\nwheel.profile = 'S1002'\n" + more +
+                                             "[sweep]\n" + swept + " = [0.01, 0.02]\n");
+    return message_of([&] { sweep.scene(0); });
+  };
+  const std::string axle = "wheelset.force = 1.6e5\n", load = "load.force = 8e4\n";
+  EXPECT_THAT(message(axle + "wheelset.force_y = 2e4\n", "position.lateral"),
+              ::testing::AllOf(HasSubstr("wheelset.force_y is given"),
+                               HasSubstr("all cases would be the same"),
+                               HasSubstr("Sweep wheelset.force_y")));
+  EXPECT_EQ(message(axle, "position.lateral"), "no error");
+  EXPECT_THAT(message(load + "load.force_y = 1e3\n", "position.lateral"), HasSubstr("load.force_y is given"));
+  EXPECT_THAT(message(load + "load.force_x = 1e3\n", "motion.xi"), HasSubstr("load.force_x is given"));
+  EXPECT_THAT(message(load + "grid.accuracy = 0.02\n", "grid.dx"), HasSubstr("chooses the elements"));
+  EXPECT_THAT(message(load + "solver.model = 'halfspace'\n", "solver.model_tolerance"),
+              HasSubstr("solver.model is given"));
+  EXPECT_EQ(message(load + "grid.accuracy = 0.02\n", "motion.xi"), "no error");
+}
+
 } // namespace

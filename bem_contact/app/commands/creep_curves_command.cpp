@@ -146,7 +146,6 @@ struct Answer {
   CreepCurves curves;
   std::optional<MeasuredForces> measured;
 
-  bool certified() const { return curves.certified() && (!measured || measured->certified()); }
   record::Record record() const {
     record::Record out = record_of(curves);
     if (measured)
@@ -154,6 +153,10 @@ struct Answer {
     return out;
   }
 };
+
+bool certified(const Answer& answer) {
+  return certified(answer.curves) && (!answer.measured || certified(*answer.measured));
+}
 
 /// All curves below each other: which creepage varied, the creepage, and the columns of a curve.
 void write_curves(std::ostream& out, const CreepCurves& c) {
@@ -217,7 +220,7 @@ ExitCode run(const CreepArguments& arguments) {
                       : curves_text(curves) +
                             (answer.measured ? measured_text(*answer.measured, arguments.measured) : ""));
   warn(curves.solution.warnings);
-  if (answer.certified())
+  if (certified(answer))
     return success;
   spdlog::error(
       "Some points are not solutions (their certificates do not hold) Look at the column `certified`, and "

@@ -193,7 +193,11 @@ ExitCode run_compare(const SceneArguments& arguments) {
       write_vts(surface_of(result.choice.model), result);
   print_out("{}", arguments.json ? json_of(comparison_format, comparison) : to_text(comparison));
   warn(warnings_of(comparison));
-  ExitCode worst = success;
+  if (!comparison.creep_forces.certified)
+    spdlog::error(
+        "Some creep forces beyond free rolling are not solutions (their certificates do not hold) Leave "
+        "them out of account, or choose larger elements.");
+  ExitCode worst = comparison.creep_forces.certified ? success : no_convergence;
   for (const auto* results : {&comparison.at_forces, &comparison.at_position})
     for (const SceneResult& result : *results)
       worst = std::max(worst, verdict(result));

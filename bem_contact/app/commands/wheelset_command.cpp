@@ -113,6 +113,10 @@ std::string curve_text(const WheelsetResult& r) {
 /// For people: both wheels side by side in the track frame, then what solve prints of each.
 std::string wheelset_text(const WheelsetResult& r) {
   std::string out = pose_text(r) + curve_text(r);
+  const Model right = r.state.right.choice.model, left = r.state.left.choice.model;
+  if (right != left)
+    out +=
+        fmt::format("the right wheel is solved by {}, the left one by {}\n", name_of(right), name_of(left));
   out += fmt::format("  {:22} {:>13} {:>13} {:>13}\n", "y to the right for both", "right", "left", "sum");
   for (const WheelQuantity& q : wheel_quantities())
     out += line_of(q, r);
@@ -159,7 +163,7 @@ ExitCode run(const WheelsetArguments& arguments) {
                 ? record::to_json(headed(wheelset_format).append(record_of(result, {.fields = false}))) + "\n"
                 : wheelset_text(result));
   warn(result.warnings);
-  return result.state.certified() ? success : no_convergence;
+  return certified(result.state) ? success : no_convergence;
 }
 
 } // namespace

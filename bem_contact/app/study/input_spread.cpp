@@ -129,7 +129,7 @@ std::vector<std::vector<PartResult>> solve_draws(const StudyCase& study, const S
                                                  std::set<std::string>& said,
                                                  const std::function<bool(int draw)>& wanted) {
   const SceneText& text = study.text;
-  const SceneFile scene = has_sweep(text) ? parse_sweep_file(text).scene(0) : parse_scene_file(text);
+  const SceneFile scene = has_sweep(text) ? parse_sweep_file(text).first_scene() : parse_scene_file(text);
   const std::vector<std::string> parts = drawn_parts(study);
   NormalDraws draws(static_cast<std::uint64_t>(study.uncertainty.seed));
   std::vector<std::vector<PartResult>> out;

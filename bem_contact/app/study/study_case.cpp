@@ -99,6 +99,10 @@ bool StudyCase::has(std::string_view table) const {
   return std::ranges::find(tables, table) != tables.end();
 }
 
+std::string StudyCase::model_of(std::string_view table) const {
+  return parsed(text.toml, text.source)[table]["model"].value_or(std::string());
+}
+
 StudyCase study_case(SceneText text) {
   StudyCase out{std::move(text), {}};
   require_text(out.text.toml, out.text.source, "scene");
@@ -118,10 +122,20 @@ std::string changed_text(const SceneText& scene, std::span<const SceneChange> ch
   return with_absolute_names({text_of(root), scene.source, scene.folder});
 }
 
-std::string wheel_text(const SceneText& scene, const record::Record& found) {
+WheelOfStudy wheel_of(const record::Record& found) {
   const auto number = [&](const std::string& path) { return record::number_at(found, path).value(); };
   const WheelSide side = number("wheelset/lateral") < 0 ? WheelSide::left : WheelSide::right;
-  SceneFile one = one_wheel(parse_scene_file(scene), side);
+  const std::string result = fmt::format("{}/result/", name_of(side));
+  return {.side = side,
+          .model = std::string(record::text_at(found, result + "model").value()),
+          .dx = number(result + "quantities/dx"),
+          .ds = number(result + "quantities/ds")};
+}
+
+std::string wheel_text(const SceneText& scene, const record::Record& found) {
+  const auto number = [&](const std::string& path) { return record::number_at(found, path).value(); };
+  const auto [side, model, dx, ds] = wheel_of(found);
+  SceneFile one = with_elements(with_model(one_wheel(parse_scene_file(scene), side), model), dx, ds);
   one.position.lateral = number("wheelset/lateral");
   one.position.roll = number("wheelset/roll");
   one.track.superelevation = 0; // of an axle
@@ -143,7 +157,8 @@ std::vector<TakenValue> taken_values(const SceneText& scene) {
   const toml::table given = parsed(scene.toml, scene.source);
   toml::table all;
   try {
-    const SceneFile first = has_sweep(scene) ? parse_sweep_file(scene).scene(0) : parse_scene_file(scene);
+    const SceneFile first =
+        has_sweep(scene) ? parse_sweep_file(scene).first_scene() : parse_scene_file(scene);
     all = parsed(scene_with_defaults(first), "scene");
   } catch (const InputError&) { // the parts say what is wrong
     all = given;

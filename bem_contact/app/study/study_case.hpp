@@ -38,6 +38,8 @@ struct StudyCase {
   InfluenceBodies influence = {};
 
   bool has(std::string_view table) const;
+  /// The model that a table of a command gives ("halfspace" of table.model); "": none.
+  std::string model_of(std::string_view table) const;
 };
 
 /// Throws InputError for what is no TOML, and for wrong keys of [uncertainty] and [influence].
@@ -48,9 +50,18 @@ StudyCase study_case(SceneText text);
 std::string changed_text(const SceneText& scene, std::span<const SceneChange> changes,
                          std::span<const std::string_view> dropped);
 
+/// The wheel of a wheelset that other parts of a study go on with, and how it was solved.
+struct WheelOfStudy {
+  WheelSide side{};
+  std::string model;
+  double dx = 0, ds = 0; ///< size of its elements, mm
+};
+/// `found`: the result of the wheelset.
+WheelOfStudy wheel_of(const record::Record& found);
+
 /// The wheel to which its displacement moves a wheelset, as a scene of one wheel: where the equilibrium has
-/// put it, under the force that its rail bears. All tables of commands stay. `found`: the result of the
-/// wheelset.
+/// put it, under the force that its rail bears, with the model and the elements by which it was solved. All
+/// tables of commands stay. `found`: the result of the wheelset.
 std::string wheel_text(const SceneText& scene, const record::Record& found);
 
 /// Something that a study has taken: a key of the scene, its value, and whether the file gives it.

@@ -84,8 +84,9 @@ std::string taken_text(const SceneText& scene) {
 }
 
 void print_part(const PartResult& result) {
-  print_out("{:13} {:14} {}\n", result.part->name, status_of(result),
-            result.kept ? "as it was" : duration_text(result.seconds));
+  print_out("{:13} {:14} {}{}\n", result.part->name, name_of(outcome_of(result)),
+            result.kept ? "as it was" : duration_text(result.seconds),
+            result.about.empty() ? "" : "  " + result.about);
   for (const std::string& error : result.errors)
     print_out("{:13} {}\n", "", error);
   std::fflush(stdout);

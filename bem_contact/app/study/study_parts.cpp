@@ -9,6 +9,7 @@
 #include "bem_contact/base/output_folder.hpp"
 #include "bem_contact/base/sha256.hpp"
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/scene/command_tables.hpp"
 #include "bem_contact/uses/sweep/sweep_inputs.hpp"
@@ -26,23 +27,73 @@ bool takes_one_wheel(const StudyCase& study) {
   return std::ranges::any_of(all_parts(), [&](const Part& p) { return p.of_one_wheel && study.has(p.name); });
 }
 
-constexpr Part parts_of_studies[] = {
-    {"influence", "Influence functions", "", [](const StudyCase& s) { return s.has("influence"); }},
-    {"solve", "The contact", "solve",
-     [](const StudyCase& s) { return !s.has("wheelset") && !s.has("sweep"); }},
-    {"wheelset", "Both wheels", "wheelset",
-     [](const StudyCase& s) { return s.has("wheelset") && (!s.has("sweep") || takes_one_wheel(s)); }},
-    {"sweep", "All cases", "sweep", [](const StudyCase& s) { return s.has("sweep"); }, false, true, true},
-    {"compare", "Models of elasticity", "compare", [](const StudyCase& s) { return s.has("compare"); }, true},
-    {"conicity", "Conicity", "conicity", [](const StudyCase& s) { return s.has("conicity"); }},
-    {"creep_curves", "Creep curves", "creep-curves", [](const StudyCase& s) { return s.has("creep_curves"); },
-     true, true},
-    {"table", "Table of forces", "table", [](const StudyCase& s) { return s.has("table"); }, true, true,
-     true},
-    {"fatigue", "Rolling contact fatigue", "fatigue", [](const StudyCase& s) { return s.has("fatigue"); },
-     true},
-    {"wear", "Wear", "wear", [](const StudyCase& s) { return s.has("wear"); }, false, true},
+/// Asked for by the table of its name.
+template <std::size_t size> struct Table {
+  consteval Table(const char (&from)[size]) { std::ranges::copy(from, text); }
+  char text[size];
 };
+template <Table table> constexpr auto has_table = [](const StudyCase& s) { return s.has(table.text); };
+
+constexpr Part parts_of_studies[] = {
+    {.name = "influence",
+     .title = "Influence functions",
+     .command = "",
+     .asked = has_table<"influence">,
+     .solves = false},
+    {.name = "solve",
+     .title = "The contact",
+     .command = "solve",
+     .asked = [](const StudyCase& s) { return !s.has("wheelset") && !s.has("sweep"); }},
+    {.name = "wheelset",
+     .title = "Both wheels",
+     .command = "wheelset",
+     .asked = [](const StudyCase& s) { return s.has("wheelset") && (!s.has("sweep") || takes_one_wheel(s)); },
+     .of_one_wheelset = true},
+    {.name = "sweep",
+     .title = "All cases",
+     .command = "sweep",
+     .asked = has_table<"sweep">,
+     .has_jobs = true,
+     .goes_on = true},
+    {.name = "compare",
+     .title = "Models of elasticity",
+     .command = "compare",
+     .asked = has_table<"compare">,
+     .of_one_wheel = true,
+     .has_models = true},
+    {.name = "conicity",
+     .title = "Conicity",
+     .command = "conicity",
+     .asked = has_table<"conicity">,
+     .solves = false},
+    {.name = "creep_curves",
+     .title = "Creep curves",
+     .command = "creep-curves",
+     .asked = has_table<"creep_curves">,
+     .of_one_wheel = true,
+     .has_jobs = true},
+    {.name = "table",
+     .title = "Table of forces",
+     .command = "table",
+     .asked = has_table<"table">,
+     .of_one_wheel = true,
+     .has_jobs = true,
+     .goes_on = true},
+    {.name = "fatigue",
+     .title = "Rolling contact fatigue",
+     .command = "fatigue",
+     .asked = has_table<"fatigue">,
+     .of_one_wheel = true},
+    {.name = "wear",
+     .title = "Wear",
+     .command = "wear",
+     .asked = has_table<"wear">,
+     .of_one_wheelset = true,
+     .has_jobs = true},
+};
+
+/// The scene of a wheelset without [sweep].
+constexpr const char* unswept = "unswept.toml";
 
 /// One part of a study on its way.
 class PartRun {
@@ -53,12 +104,14 @@ public:
         made_(where.parts(), {.maker = study_maker, .list = part.name, .inputs = where.inputs}) {
     if (part.of_one_wheel && study.has("wheelset"))
       scene_ = where.parts() / "wheel.toml";
+    else if (part.of_one_wheelset && study.has("wheelset") && study.has("sweep"))
+      scene_ = where.parts() / unswept;
     else
       scene_ = where.scene;
   }
 
   PartResult run(std::set<std::string>& said) {
-    PartResult out{.part = &part_, .file = file_of_result()};
+    PartResult out{.part = &part_, .about = about_wheel(), .file = file_of_result()};
     find_digests();
     const State before = state();
     if (!digest_.empty() && before.digest == digest_ && may_stay(before.code)) {
@@ -149,7 +202,9 @@ private:
       made_.require(output().filename().string());
   }
 
-  bool is_wear_study() const { return std::string_view(part_.name) == "wear" && study_.has("sweep"); }
+  bool is_wear_study() const {
+    return std::string_view(part_.name) == "wear" && study_.has("sweep") && !study_.has("wheelset");
+  }
   std::filesystem::path output() const {
     return where_.parts() / fmt::format("{}{}", part_.name, is_wear_study() ? "" : ".h5");
   }
@@ -158,6 +213,24 @@ private:
   }
   std::filesystem::path beside(const char* ending) const {
     return where_.parts() / fmt::format("{}.{}", part_.name, ending);
+  }
+
+  /// Of a part of one wheel: which, and by which model.
+  std::string about_wheel() const {
+    const std::filesystem::path found = where_.parts() / "wheelset.h5";
+    if (scene_ == where_.parts() / unswept)
+      return "of the scene without [sweep], whose cases are wheelsets of their own";
+    if (scene_ == where_.scene || !file_exists(found) || !file_exists(scene_))
+      return "";
+    const WheelOfStudy wheel = wheel_of(record::read_hdf5(found));
+    const std::string of = fmt::format("{} wheel where wheelset has put it", name_of(wheel.side));
+    if (part_.has_models)
+      return of + fmt::format(", elements {:.3g} x {:.3g} mm, models of its own", wheel.dx, wheel.ds);
+    const std::string own = study_.model_of(part_.name);
+    return of + (own.empty()
+                     ? fmt::format(", by {} on its elements of {:.3g} x {:.3g} mm", wheel.model, wheel.dx,
+                                   wheel.ds)
+                     : fmt::format(", by {} as [{}] says; wheelset by {}", own, part_.name, wheel.model));
   }
 
   /// What the part depends on: `base_` without what may grow later. "": it cannot be said.
@@ -256,7 +329,9 @@ private:
         throw InputError(fmt::format("influence.{} has no file to be written to", name),
                          fmt::format("{}.influence is not given", name),
                          fmt::format("Give it, for instance {0}.influence = \"{0}.h5\".", name));
-      out.emplace_back((study_.text.folder / *body).string(), (study_.text.folder / *file).string());
+      const bool standard = is_standard_profile(*body); // tools/influence knows its body
+      out.emplace_back(standard ? *body : (study_.text.folder / *body).string(),
+                       (study_.text.folder / *file).string());
     }
     return out;
   }
@@ -286,6 +361,12 @@ private:
   std::filesystem::path scene_;
   std::string digest_, base_;
 };
+
+void write_unswept(const StudyCase& study, const StudyFolder& where) {
+  const std::string_view dropped[] = {"sweep"};
+  const std::string text = changed_text(study.text, {}, dropped);
+  write_whole(where.parts() / unswept, [&](std::ostream& out) { out << text; });
+}
 
 /// The scene of one wheel, for the parts that take one. It stays as it is where nothing has changed.
 void write_wheel(const StudyCase& study, const StudyFolder& where, const PartResult& wheelset) {
@@ -335,16 +416,16 @@ const Part* part_named(std::string_view name) {
   return found == std::ranges::end(parts_of_studies) ? nullptr : found;
 }
 
-std::string status_of(const PartResult& result) {
+record::Outcome outcome_of(const PartResult& result) {
   switch (result.code) {
   case success:
-    return "done";
+    return result.part->solves ? record::Outcome::certified : record::Outcome::done;
   case wrong_input:
-    return "refused";
+    return record::Outcome::refused;
   case no_convergence:
-    return "not certified";
+    return record::Outcome::not_certified;
   default:
-    return "failed";
+    return record::Outcome::failed;
   }
 }
 
@@ -354,6 +435,8 @@ std::vector<PartResult> run_parts(const StudyCase& study, const StudyFolder& whe
   std::vector<PartResult> out;
   if (where.wanted.empty())
     remove_parts_of_before(study, where);
+  if (study.has("wheelset") && study.has("sweep"))
+    write_unswept(study, where);
   for (const Part& part : all_parts()) {
     const bool wanted = where.wanted.empty() || std::ranges::count(where.wanted, part.name) > 0;
     if (!part.asked(study) || !wanted)

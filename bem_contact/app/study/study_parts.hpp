@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/app/study/study_case.hpp"
+#include "bem_contact/record/outcome.hpp"
 #include "bem_contact/record/record.hpp"
 
 #include <filesystem>
@@ -19,8 +20,12 @@ struct Part {
   const char* command; ///< "": the program of [influence]
   bool (*asked)(const StudyCase&);
   bool of_one_wheel = false; ///< solves no wheelset: it takes the wheel of wheel_text()
-  bool has_jobs = false;     ///< the option --jobs
-  bool goes_on = false;      ///< called again, it may find what was not found
+  /// With [wheelset] it is of the wheelset of the scene without [sweep].
+  bool of_one_wheelset = false;
+  bool has_jobs = false;   ///< the option --jobs
+  bool goes_on = false;    ///< called again, it may find what was not found
+  bool solves = true;      ///< contacts, which are certified
+  bool has_models = false; ///< by several models, each in its turn
 };
 
 /// All of them, in the order of their work: a later one may use what an earlier one has found.
@@ -34,11 +39,12 @@ struct PartResult {
   bool kept = false; ///< was there, and is still true
   double seconds = 0;
   std::vector<std::string> errors = {}, warnings = {};
+  std::string about = {}; ///< of which wheel it is, and what it has not taken over; "": of the whole scene
   std::filesystem::path file; ///< of its result (HDF5); "": it has none
 };
 
-/// "certified", "done", "refused" ...
-std::string status_of(const PartResult& result);
+/// How it ended: of a part that solves no contact `done`, not `certified`.
+record::Outcome outcome_of(const PartResult& result);
 
 /// Where a study is, and what is wanted of it.
 struct StudyFolder {

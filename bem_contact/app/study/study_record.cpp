@@ -57,6 +57,8 @@ constexpr HeadlinePlace headline_places[] = {
     {"sweep", "left_pmax", largest},
     {"sweep", "right_T_gamma", largest},
     {"sweep", "left_T_gamma", largest},
+    {"compare", "at_equal_forces/hertz/quantities/pmax"},
+    {"compare", "at_equal_forces/simplified/quantities/pmax"},
     {"compare", "at_equal_forces/halfspace/quantities/pmax"},
     {"compare", "at_equal_forces/tangent_plane/quantities/pmax"},
     {"compare", "at_equal_forces/fem/quantities/pmax"},
@@ -237,7 +239,8 @@ record::Record study_record(const GivenScene& given, const std::filesystem::path
     const FileKind* kind = kind_of(record::text_at(one, "format").value_or(""));
     one.add("study_title", std::string(result.part->title));
     one.add("study_page", std::string(kind ? kind->page : ""));
-    one.add("study_status", status_of(result));
+    one.add("study_status", std::string(name_of(outcome_of(result))));
+    one.add("study_about", result.about);
     one.add("study_code", record::Number{double(result.code), "1", "exit code", {}, true});
     one.add("study_order", record::Number{double(parts.entries().size()), "1", "among the parts", {}, true});
     one.add("study_seconds", record::Number{result.seconds, "s", "that it took"});

@@ -161,7 +161,7 @@ ExitCode run_part(const SweepRequest& request, SweepFile sweep) {
   const CaseRange cases = range_of(request.cases, sweep.size());
   check_outputs(sweep, request, {});
   require_replaceable(request.output, sweep_part_format, "a part of a sweep");
-  check_values(sweep, cases);
+  check_cases(sweep, cases);
   const AskedSweep asked = asked_sweep(request, std::move(sweep));
   Progress progress("cases", cases.size());
   solve_part(asked, cases, shared_files(), output_target(request.output, OutputForm::whole_file).file,
@@ -242,7 +242,7 @@ ExitCode print_damaged(const SweepRequest& request, SweepFile sweep) {
 /// All cases that are not solved yet, on this machine.
 ExitCode run_all(const SweepRequest& request, SweepFile sweep) {
   check_outputs(sweep, request, {});
-  check_values(sweep);
+  check_cases(sweep, sweep.all());
   const AskedSweep asked = asked_sweep(request, std::move(sweep));
   const PartsFolder folder(asked, request.output);
   std::string head;

@@ -62,8 +62,8 @@ void for_rows(const H5Reader& file, const std::string& group, const std::vector<
 }
 
 std::string_view status_word(double status, const H5Reader& file) {
-  require_within({0, EnumNames<CaseStatus>::names.size()}, std::span(&status, 1), "status", file.file());
-  return name_of(static_cast<CaseStatus>(status));
+  require_within({0, record::outcomes_of_cases}, std::span(&status, 1), "status", file.file());
+  return name_of(static_cast<record::Outcome>(status));
 }
 
 void print_axes(std::ostream& out, const SweepFile& sweep) {
@@ -74,9 +74,11 @@ void print_axes(std::ostream& out, const SweepFile& sweep) {
 }
 
 void print_changes(std::ostream& out, const SweepFile& sweep, std::size_t i) {
-  for (const SceneChange& change : sweep.changes(i)) {
-    const auto* text = std::get_if<std::string>(&change.value);
-    fmt::print(out, ",{}", text ? record::csv_text(*text) : bem_contact::to_text(change.value));
+  const std::vector<std::size_t> at = sweep.indices(i);
+  for (std::size_t a = 0; a < sweep.axes.size(); ++a) {
+    const SchemaValue& value = sweep.axes[a].values[at[a]];
+    const auto* text = std::get_if<std::string>(&value);
+    fmt::print(out, ",{}", text ? record::csv_text(*text) : bem_contact::to_text(value));
   }
   if (!sweep.weights.empty())
     fmt::print(out, ",{}", sweep.weight(i));

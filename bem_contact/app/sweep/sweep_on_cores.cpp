@@ -86,7 +86,7 @@ std::vector<std::size_t> scrambled(std::size_t count) {
 std::shared_ptr<SequenceFiles> files_of_first_case(const AskedSweep& asked) {
   const auto files = shared_files(); // each child fills its own copy
   try {
-    if (const SceneFile first = asked.sweep.scene(0); first.kind == SceneKind::wheel_rail)
+    if (const SceneFile first = asked.sweep.first_scene(); first.kind == SceneKind::wheel_rail)
       read_profiles(first, *files);
   } catch (const InputError&) { // the cases say it
   }

@@ -27,9 +27,7 @@ struct WornContact {
 };
 
 WornContact worn(std::string name, const SceneResult& result, double axle_force, const wear::Law& law) {
-  if (!certified(result))
-    throw ConvergenceError("There is no wear of a result that is not certified", why_not_certified(result),
-                           "Solve the scene alone to see why.");
+  require_certified(result);
   WornContact out{std::move(name), wear::wear_of(result, law), {}, {}};
   out.rates = wear::rates_of(result, out.wear, axle_force);
   for (const PatchSummary& patch : result.result.patches)

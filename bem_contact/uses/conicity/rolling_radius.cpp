@@ -32,18 +32,20 @@ struct Lowered {
 
 Lowered lowered(const WheelsetOnTrack& wheelset, WheelSide side, double lateral, double roll) {
   const WheelsetPosition& p = wheelset.position;
+  const bool right = side == WheelSide::right;
   const WheelsetPosition position{.side = side,
                                   .lateral = lateral,
                                   .gauge = p.gauge,
                                   .gauge_height = p.gauge_height,
                                   .back_to_back = p.back_to_back,
                                   .tape_circle = p.tape_circle,
-                                  .rail_inclination = p.rail_inclination,
+                                  .rail_inclination =
+                                      right ? p.rail_inclination
+                                            : wheelset.left_rail_inclination.value_or(p.rail_inclination),
                                   .roll = roll,
                                   .wheel_radius = p.wheel_radius,
                                   .rail_origin = p.rail_origin,
                                   .wheel_origin = p.wheel_origin};
-  const bool right = side == WheelSide::right;
   WheelOnRail pair = place(position, right ? wheelset.right_rail : wheelset.left_rail,
                            right ? wheelset.right_wheel : wheelset.left_wheel);
   const double before = pair.wheel_pose.origin.z;

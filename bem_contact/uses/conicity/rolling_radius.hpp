@@ -3,6 +3,7 @@
 #include "bem_contact/geometry/placement.hpp"
 
 #include <atomic>
+#include <optional>
 #include <vector>
 
 namespace bem_contact {
@@ -20,6 +21,7 @@ struct WheelsetOnTrack {
   /// The wheelset rolls until both wheels stand on their rails. False, as the reference results of EN 15302
   /// have it: the wheelset stays upright, and each wheel touches at a height of its own.
   bool rolls = false;
+  std::optional<double> left_rail_inclination = {}; ///< rad; empty: as position has it
 
   double contact_distance() const; ///< nominal: of the two tape circles, mm
 };

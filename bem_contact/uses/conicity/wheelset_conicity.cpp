@@ -143,19 +143,23 @@ WheelsetOnTrack wheelset_of(const SceneFile& scene, const LeftProfiles& left) {
                       .right_wheel = right.wheel,
                       .left_rail = right.rail,
                       .left_wheel = right.wheel,
-                      .position = scene.position};
-  if (!left.rail.empty()) {
-    const ProfileCurve rail = named_profile(left.rail, ProfileKind::rail, scene.folder, scene.rail.reading);
+                      .position = scene.position,
+                      .left_rail_inclination = scene.wheelset.left_rail_inclination};
+  const SceneFile other = one_wheel(scene, WheelSide::left); // with [left_rail] and [left_wheel]
+  const std::string rail_name = !left.rail.empty() ? left.rail : scene.wheelset.left_rail.profile,
+                    wheel_name = !left.wheel.empty() ? left.wheel : scene.wheelset.left_wheel.profile;
+  if (!rail_name.empty()) {
+    const ProfileCurve rail = named_profile(rail_name, ProfileKind::rail, scene.folder, other.rail.reading);
     warn("left rail: ",
-         inclined_twice(inclination_of_rail(left.rail, rail), scene.position.rail_inclination));
+         inclined_twice(inclination_of_rail(rail_name, rail), other.position.rail_inclination));
     out.left_rail = TabulatedProfile(rail);
   }
-  if (!left.wheel.empty())
+  if (!wheel_name.empty())
     out.left_wheel =
-        TabulatedProfile(named_profile(left.wheel, ProfileKind::wheel, scene.folder, scene.wheel.reading));
+        TabulatedProfile(named_profile(wheel_name, ProfileKind::wheel, scene.folder, other.wheel.reading));
   if (by_gauge_and_flange(scene)) {
     warn("", no_play(scene.position, out.right_wheel));
-    if (!left.wheel.empty())
+    if (!wheel_name.empty())
       warn("left wheel: ", no_play(scene.position, out.left_wheel));
   }
   return out;

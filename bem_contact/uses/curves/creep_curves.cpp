@@ -149,8 +149,7 @@ std::vector<CreepPoint> points_by(Sequence& sequence, const SceneFile& given, co
   std::vector<CreepPoint> out;
   for (const Creepages& at : points) {
     const SceneResult r = sequence.solve(scene_at(scene, held.offset, at), stop);
-    out.push_back({0, forces_of(r), coarse_forces_of(r), r.result.totals.adhesion_share,
-                   r.result.trust.certificate.holds()});
+    out.push_back({0, forces_of(r), coarse_forces_of(r), r.result.totals.adhesion_share, certified(r)});
   }
   return out;
 }
@@ -213,9 +212,8 @@ double free_xi(const SceneResult& first, const HeldContact& held) {
 
 } // namespace
 
-bool CreepCurves::certified() const {
-  return solution.result.trust.certificate.holds() &&
-         std::ranges::all_of(curves, [](const CreepCurve& curve) {
+bool certified(const CreepCurves& all) {
+  return certified(all.solution) && std::ranges::all_of(all.curves, [](const CreepCurve& curve) {
            return std::ranges::all_of(curve.points, &CreepPoint::certified);
          });
 }

@@ -74,9 +74,10 @@ struct CreepCurves {
   CreepDerivatives slopes;
   std::optional<LinearTheory> linear; ///< to compare the slopes with
   std::vector<CreepCurve> curves;     ///< one for each range
-
-  bool certified() const; ///< the solution and every point
 };
+
+/// Whether the solution and every point are certified.
+bool certified(const CreepCurves& all);
 
 /// What the first solution of a scene finds, and all points keep: so they differ by nothing but their
 /// creepages.

@@ -76,7 +76,7 @@ Record record_of(const CreepCurves& c) {
   const Creepages rigid = rigid_creepages(c.solution);
   return {
       {"model", record::Text{std::string(name_of(c.solution.choice.model))}},
-      {"certified", c.certified()},
+      {"certified", certified(c)},
       {"Fz", Number{c.solution.result.totals.Fz, "N", "on the rail, down"}},
       {"bound", Number{c.bound, "N", "sum of mu p_n dS: no shear force is larger"}},
       {"radius", Number{c.radius, "mm", "c = sqrt(a b) of the ellipse, or of the area in contact"}},

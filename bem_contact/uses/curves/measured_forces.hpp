@@ -16,9 +16,10 @@ struct MeasuredForces {
   std::vector<double> measured;          ///< on the rail at each creepage: N, Mz: N mm
   std::vector<double> scatter;           ///< standard deviation of each; empty: not given
   std::vector<CreepPoint> computed = {}; ///< at the same creepages
-
-  bool certified() const; ///< every point that is computed
 };
+
+/// Whether every point that is computed is certified.
+bool certified(const MeasuredForces& measured);
 
 /// Reads a CSV file whose columns are a creepage, a force and, where it is known, "scatter": "xi,Fx,scatter".
 /// Throws InputError for other columns and what read_csv() refuses.

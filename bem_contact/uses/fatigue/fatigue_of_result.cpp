@@ -4,6 +4,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/sequence/uncertified.hpp"
 #include "bem_contact/uses/fatigue/shakedown.hpp"
 
 #include <algorithm>
@@ -95,9 +96,7 @@ Fatigue fatigue_of(const SceneResult& solved, const FatigueProperties& propertie
   require_yield_shear(properties.yield_shear);
   validate(properties.damage);
   const ContactResult& r = solved.result;
-  if (!r.certified())
-    throw InputError("There is no fatigue of a result that did not converge",
-                     "its tractions are not a solution", "Solve the scene first.");
+  require_certified(solved);
   const bool power = solved.problem.motion != MotionKind::shift; // it is work by area there
   Fatigue out;
   out.element_index = index_of_elements(r, properties.yield_shear);
@@ -144,13 +143,18 @@ CollectiveFatigue fatigue_of(const SweepFile& sweep, const FatigueProperties& pr
                              const std::atomic<bool>* stop) {
   require_yield_shear(properties.yield_shear);
   validate(properties.damage);
+  if (sweep.first_scene().wheelset.force)
+    throw InputError(
+        "There is no fatigue of a wheelset",
+        "[fatigue] is of the patches of one wheel, and [wheelset] is given",
+        "Let bem_contact study put one wheel in its place, or give load.force instead of [wheelset].");
   CollectiveFatigue out;
   out.cases = sweep.size();
   Sequence sequence({.displacements = false});
   double weights = 0;
   for (std::size_t i = 0; i < sweep.size(); ++i) {
     const SceneResult result = sequence.solve(sweep.scene(i), stop);
-    if (!result.result.certified())
+    if (!certified(result))
       throw ConvergenceError(fmt::format("Case {} has no certified result", i), sweep.describe(i),
                              "Solve it alone to see why.");
     const Fatigue f = fatigue_of(result, properties);

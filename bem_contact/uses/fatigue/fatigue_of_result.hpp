@@ -91,8 +91,8 @@ struct Fatigue {
   std::optional<StressPeaks> peaks;  ///< where they are asked for and there is contact
 };
 
-/// Throws InputError for properties that make no sense and for a result that did not converge. Without
-/// friction, or of a shift, T-gamma and damage are 0.
+/// Throws InputError for properties that make no sense, and ConvergenceError for a result that is not
+/// certified(). Without friction, or of a shift, T-gamma and damage are 0.
 Fatigue fatigue_of(const SceneResult& result, const FatigueProperties& properties = {});
 
 /// The numbers of a patch, in the order of the outputs. The program's tables and Python take names, units and

@@ -1,6 +1,5 @@
 #include "bem_contact/uses/sweep/sweep_case.hpp"
 
-#include "bem_contact/base/error.hpp"
 #include "bem_contact/base/said_by.hpp"
 #include "bem_contact/base/stopped.hpp"
 #include "bem_contact/base/stopwatch.hpp"
@@ -12,12 +11,13 @@
 #include <algorithm>
 #include <ctime>
 #include <fmt/format.h>
-#include <new>
 #include <optional>
 
 namespace bem_contact {
 
 namespace {
+
+using record::Outcome;
 
 /// 1. One process solves a chunk of cases one after the other and starts each case from the one before. More
 /// chunks share the work better; longer chunks have fewer cold starts. Chosen, not measured.
@@ -35,7 +35,7 @@ void say(SweepCase& record, const std::string& text) {
 SweepCase case_of(const SceneResult& result, const SweepOptions& options) {
   SweepCase out;
   const bool all = certified(result);
-  out.status = all ? CaseStatus::certified : CaseStatus::not_certified;
+  out.status = all ? Outcome::certified : Outcome::not_certified;
   say(out, all ? result.result.trust.solver_note : why_not_certified(result));
   out.summary = summary_of(result);
   out.patches = patch_rows(result);
@@ -46,7 +46,7 @@ SweepCase case_of(const SceneResult& result, const SweepOptions& options) {
 
 SweepCase case_of(const WheelsetResult& result, const SweepOptions& options) {
   SweepCase out;
-  out.status = result.state.certified() ? CaseStatus::certified : CaseStatus::not_certified;
+  out.status = certified(result.state) ? Outcome::certified : Outcome::not_certified;
   out.summary = summary_of(result);
   out.patches = patch_rows(result);
   for (const WheelSide side : both_sides) {
@@ -79,12 +79,8 @@ SweepCase solve_case(Sequence& sequence, const SweepFile& sweep, std::size_t ind
                                : kept(sequence.solve(scene, options.stop));
   } catch (const Stopped&) {
     throw;
-  } catch (const InputError& error) {
-    out = {.status = CaseStatus::refused, .reason = error.what()};
-  } catch (const std::bad_alloc& error) { // says nothing of the case: more memory may solve it
-    out = {.status = CaseStatus::died, .reason = said_by(error)};
   } catch (const std::exception& error) {
-    out = {.status = CaseStatus::not_certified, .reason = said_by(error)};
+    out = {.status = record::outcome_of(error), .reason = said_by(error)};
   }
   out.index = index;
   out.seconds = watch.seconds();

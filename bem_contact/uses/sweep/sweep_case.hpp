@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/base/enum_names.hpp"
+#include "bem_contact/record/outcome.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
@@ -14,27 +14,14 @@
 
 namespace bem_contact {
 
-/// How a case ended.
-enum class CaseStatus {
-  missing = 0,       ///< not solved yet
-  certified = 1,     ///< the certificate holds
-  not_certified = 2, ///< a result whose certificate does not hold, or no convergence
-  refused = 3,       ///< the input of the case is wrong: the reason says what
-  died = 4           ///< the process that solved it ended
-};
-template <> struct EnumNames<CaseStatus> {
-  static constexpr std::array<std::string_view, 5> names{"missing", "certified", "not certified", "refused",
-                                                         "died"};
-};
-
 /// What is kept of one case of a sweep, but for its fields.
 struct SweepCase {
-  std::size_t index = 0;                   ///< from 0
-  CaseStatus status = CaseStatus::missing; ///< how it ended
-  std::string reason = {};                 ///< why it is not certified; a remark of the solver, warnings
-  double seconds = 0;                      ///< wall clock
-  double cpu_seconds = 0;                  ///< of the process
-  std::vector<double> summary = {};        ///< SweepColumns::cases; empty where there is no result
+  std::size_t index = 0;                             ///< from 0
+  record::Outcome status = record::Outcome::missing; ///< how it ended
+  std::string reason = {};          ///< why it is not certified; a remark of the solver, warnings
+  double seconds = 0;               ///< wall clock
+  double cpu_seconds = 0;           ///< of the process
+  std::vector<double> summary = {}; ///< SweepColumns::cases; empty where there is no result
   std::vector<std::vector<double>> patches = {}; ///< SweepColumns::patches of each patch
 };
 

@@ -65,7 +65,7 @@ std::vector<SweepColumn> columns_of_wheelset_patches() {
 const SweepColumns& columns_of(const SweepFile& sweep) {
   static const SweepColumns contacts{columns_of_contacts(), columns_of_table(patch_quantities())},
       wheelsets{columns_of_wheelsets(), columns_of_wheelset_patches()};
-  return sweep.scene(0).wheelset.force ? wheelsets : contacts;
+  return sweep.first_scene().wheelset.force ? wheelsets : contacts;
 }
 
 bool is_model(const SweepColumn& column) {

@@ -35,7 +35,7 @@ std::vector<NamedFile> files_of_lists(const SweepFile& sweep) {
 
 std::set<std::string> input_paths(const SweepFile& sweep) {
   std::set<std::string> names;
-  for (const std::filesystem::path& file : input_files(sweep.scene(0)))
+  for (const std::filesystem::path& file : input_files(sweep.first_scene()))
     if (is_regular(file))
       names.insert(file.string());
   for (const NamedFile& named : files_of_lists(sweep))
@@ -51,7 +51,7 @@ std::vector<std::filesystem::path> files_read(const std::filesystem::path& file,
 }
 
 GivenScene given_sweep(const SweepFile& sweep, const std::string& model) {
-  GivenScene out{sweep.text, model, sweep.scene(0), {}};
+  GivenScene out{sweep.text, model, sweep.first_scene(), {}};
   out.inputs = inputs_of(out.scene);
   std::ranges::move(records_of(files_of_lists(sweep)), std::back_inserter(out.inputs));
   out.scene = with_model(std::move(out.scene), model);
@@ -106,7 +106,7 @@ std::set<std::string> named_inputs(const SceneText& given) {
   };
   if (has_sweep(given)) {
     const SweepFile sweep = parse_sweep_file(given);
-    add(named_files(sweep.scene(0)));
+    add(named_files(sweep.first_scene()));
     add_lists(sweep);
   } else
     add(named_files(parse_scene_file(given)));

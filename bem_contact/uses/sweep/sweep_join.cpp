@@ -50,7 +50,7 @@ public:
       const CaseRange some{first, std::min(cases.last, first + rows_at_once)};
       std::vector<SweepCase> empty = missing_cases(some);
       for (auto one = died.lower_bound(some.first); one != died.end() && one->first < some.last; ++one) {
-        empty[one->first - some.first].status = CaseStatus::died;
+        empty[one->first - some.first].status = record::Outcome::died;
         H5Table reason;
         reason.attributes["reason"] = one->second;
         add_members(group_of_case(one->first), reason);
@@ -98,7 +98,7 @@ private:
   const AskedSweep& asked_;
   H5Writer writer_;
   std::vector<std::string> names_;
-  std::array<std::size_t, EnumNames<CaseStatus>::names.size()> counts_{};
+  std::array<std::size_t, record::outcomes_of_cases> counts_{};
 };
 
 } // namespace

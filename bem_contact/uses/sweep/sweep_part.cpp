@@ -47,7 +47,7 @@ CaseRange solve_part(const AskedSweep& asked, CaseRange cases, const std::shared
       add_group(group, wheel, record::to_h5(case_record(result)));
     };
   solve_cases(asked.sweep, cases, options, files, [&](SweepCase one) {
-    if (one.status == CaseStatus::died)
+    if (one.status == record::Outcome::died)
       throw std::bad_alloc();
     if (!one.reason.empty())
       group.attributes["reason"] = one.reason;

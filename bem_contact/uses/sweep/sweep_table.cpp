@@ -58,9 +58,10 @@ double number(const SchemaValue& value) {
 
 /// "which of S1002 worn.txt"
 std::string description_of(const SweepFile::Axis& axis) {
-  if (!std::holds_alternative<std::string>(axis.values.front()))
-    return "swept over";
-  std::string out = "which of";
+  const bool texts = std::holds_alternative<std::string>(axis.values.front());
+  if (!texts)
+    return axis.is_note() ? "carried along" : "swept over";
+  std::string out = axis.is_note() ? "carried along, which of" : "which of";
   for (const SchemaValue& value : axis.values) {
     if (out.size() > longest_list)
       return out + " ...";
@@ -138,7 +139,7 @@ std::string group_of_case(std::size_t index) {
 
 void add_counts(H5Table& table, std::span<const std::size_t> counts) {
   for (std::size_t s = 0; s < counts.size(); ++s) {
-    std::string name(EnumNames<CaseStatus>::names[s]);
+    std::string name(name_of(static_cast<record::Outcome>(s)));
     std::ranges::replace(name, ' ', '_');
     table.datasets[name + "_count"] = {
         {}, {static_cast<double>(counts[s])}, "1", "cases of this status", true};
@@ -179,19 +180,19 @@ SweepSummary sweep_summary(const H5Reader& file, std::size_t cases, const std::s
   for (std::size_t first = 0; first < cases; first += rows_at_once) {
     const std::size_t count = std::min(rows_at_once, cases - first);
     const std::vector<double> status = file.line("status", first, count);
-    require_within({0, EnumNames<CaseStatus>::names.size()}, status, "status", file.file());
+    require_within({0, record::outcomes_of_cases}, status, "status", file.file());
     const std::vector<double> warnings = file.line("warning_count", first, count);
     const std::vector<double> seconds = file.line("cpu_seconds", first, count);
     for (std::size_t i = 0; i < count; ++i) {
-      const auto kind = static_cast<CaseStatus>(status[i]);
+      const auto kind = static_cast<record::Outcome>(status[i]);
       ++counts[name_of(kind)];
       warned += warnings[i] > 0; // nan: no result
-      if (kind != CaseStatus::died && !std::isnan(seconds[i]))
+      if (kind != record::Outcome::died && !std::isnan(seconds[i]))
         times.add(seconds[i]);
     }
   }
 
-  SweepSummary out{head, counts[name_of(CaseStatus::certified)] == cases};
+  SweepSummary out{head, counts[name_of(record::Outcome::certified)] == cases};
   for (const auto& [name, number] : counts)
     if (number > 0)
       out.text += fmt::format("{} {}, ", number, name);

@@ -19,9 +19,9 @@ inline constexpr std::size_t rows_at_once = rows_of_a_chunk;
 /// The table of a sweep, in its file and in the files of its parts.
 ///
 /// At the top: one dataset [case] for each key of the sweep (of a text: the index of its value), for status
-/// (CaseStatus), seconds and cpu_seconds, and for each of SweepColumns::cases; nan if a case has no result.
-/// The group "patches" is a table of all patches of all cases (not of wheelsets): one dataset [row] for case
-/// (from 0), patch (from 1, the largest force first), each key of the sweep and each of
+/// (record::Outcome), seconds and cpu_seconds, and for each of SweepColumns::cases; nan if a case has no
+/// result. The group "patches" is a table of all patches of all cases (not of wheelsets): one dataset [row]
+/// for case (from 0), patch (from 1, the largest force first), each key of the sweep and each of
 /// SweepColumns::patches. "cases/000012/" has the fields of case 12 (result_file.hpp). Its attribute "reason"
 /// says in words what is wrong or doubtful.
 H5Table table_of(const SweepFile& sweep, const SweepColumns& columns, std::span<const SweepCase> cases);
@@ -36,8 +36,8 @@ std::string group_of_case(std::size_t index);
 void add_counts(H5Table& table, std::span<const std::size_t> counts);
 
 inline constexpr const char* patch_group = "patches/";
-inline constexpr const char* status_description =
-    "0 missing, 1 certified, 2 not certified, 3 refused, 4 its process died; CSV: in words";
+inline constexpr const char* status_description = "0 missing, 1 certified, 2 not certified, 3 refused, 4 its "
+                                                  "process died, 5 an error not foreseen; CSV: in words";
 inline constexpr const char* seconds_description = "wall clock";
 inline constexpr const char* cpu_description = "of its process";
 

@@ -222,7 +222,7 @@ PointSolver creep_point_solver(const CreepScale& scale, int elements) {
     scene.motion.eta = unit / k.eta * eta;
     scene.motion.phi = unit / k.phi * phi;
     const SceneResult result = solver->sequence.solve(scene);
-    if (!result.result.trust.certificate.holds())
+    if (!certified(result))
       throw ConvergenceError("A point of the creep table has no certified result",
                              fmt::format("a/b {:.4g}, xi' {:.4g}, eta' {:.4g}, phi' {:.4g}",
                                          std::pow(10, point[0]), xi, eta, phi),

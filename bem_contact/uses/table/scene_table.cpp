@@ -186,8 +186,7 @@ PointSolver scene_point_solver(const SceneTable& described) {
     };
     try {
       const SceneResult result = solver->sequence.solve(scene_at(described, solver->reader, point));
-      if (!result.result.trust.certificate.holds())
-        throw uncertified_error(result);
+      require_certified(result);
       return values_of(result);
     } catch (const InputError& error) {
       throw InputError(named(error));

@@ -123,7 +123,7 @@ std::vector<CaseWear> wear_of_cases(const WornPair& now, std::span<const Collect
     use_profile(scene.rail, folder / "rail.txt", by_files ? influence.rail.file : "");
     use_profile(scene.wheel, folder / "wheel.txt", by_files ? influence.wheel.file : "");
     const SceneResult result = sequence.solve(scene, options.stop);
-    if (!result.result.certified())
+    if (!certified(result))
       throw ConvergenceError("A case of the load collective has no certified result",
                              fmt::format("lateral displacement {:g} mm, {:g} revolutions so far",
                                          scene.position.lateral, now.revolutions),
@@ -208,6 +208,11 @@ void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& 
     const SceneFile &scene = one.scene, &first = cases.front().scene;
     if (scene.kind != SceneKind::wheel_rail)
       throw InputError("This scene cannot wear", "it has no profiles", "Give kind = \"wheel_rail\".");
+    if (scene.wheelset.force)
+      throw InputError(
+          "The cases of [sweep] are wheelsets, of which [wear] has no collective",
+          "one pair of profiles wears under the loads of one wheel, and [wheelset] is given",
+          "Leave out [sweep] for what one wheelset wears away, or give load.force instead of [wheelset].");
     if (!(scene.rail == first.rail) || !(scene.wheel == first.wheel))
       throw InputError("The cases of the load collective have different bodies",
                        "one pair of profiles wears under all of them", "Sweep over other keys.");

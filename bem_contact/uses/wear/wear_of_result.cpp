@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/sequence/scene_result.hpp"
+#include "bem_contact/sequence/uncertified.hpp"
 
 #include <cmath>
 #include <numeric>
@@ -11,9 +12,7 @@ namespace bem_contact::wear {
 namespace {
 
 void require_steady_friction(const SceneResult& r) {
-  if (!r.result.certified())
-    throw InputError("There is no wear of a result that did not converge", "its tractions are not a solution",
-                     "Solve the scene first.");
+  require_certified(r);
   if (r.problem.motion != MotionKind::steady)
     throw InputError("There is no wear of this motion", "wear is taken from steady rolling",
                      "Give motion.kind = \"steady\".");

@@ -33,8 +33,8 @@ struct Wear {
 
 /// Wear of a steady rolling contact. A point of the rail passes through a row of elements once in a passage,
 /// a point of the wheel once in a revolution: both lose the sum of rate dx over their row. Throws InputError
-/// for a law that validate() refuses, and for a result that did not converge, does not roll steadily, or has
-/// no friction.
+/// for a law that validate() refuses, and for a result that does not roll steadily, or has no friction;
+/// ConvergenceError for one that is not certified().
 Wear wear_of(const SceneResult& result, const Law& law);
 
 } // namespace bem_contact::wear

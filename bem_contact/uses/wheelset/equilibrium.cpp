@@ -126,7 +126,7 @@ public:
     ++evaluations;
     try {
       WheelsetState state = wheels_.at(pose);
-      if (state.certified() && !state.right.result.patches.empty() && !state.left.result.patches.empty())
+      if (certified(state) && !state.right.result.patches.empty() && !state.left.result.patches.empty())
         return state;
     } catch (const InputError&) { // beyond elastic contact, or off the rail
     } catch (const ConvergenceError&) {

@@ -45,8 +45,8 @@ EquilibriumStart begin_at(WheelPair& wheels, double lateral, double factor) {
 /// Whether half-spaces with the same elements come near the model.
 bool half_spaces_are_near(const SceneFile& scene) {
   const bool files = !scene.rail.influence.empty() || !scene.wheel.influence.empty() ||
-                     !scene.wheelset.left_rail_influence.empty() ||
-                     !scene.wheelset.left_wheel_influence.empty();
+                     !scene.wheelset.left_rail.influence.empty() ||
+                     !scene.wheelset.left_wheel.influence.empty();
   return scene.solver.model ? turns_with_rows(*scene.solver.model) : !files;
 }
 
@@ -88,7 +88,7 @@ EquilibriumStart EquilibriumFinder::begin(double lateral, double factor) {
           find_equilibrium(*quick_, lateral, begin_at(*quick_, lateral, factor), equilibrium_tolerance);
       const EquilibriumStart start = quick.start();
       WheelsetState state = wheels_.choose_model(quick.state.pose, *quick_);
-      if (state.certified())
+      if (certified(state))
         first_ = {std::move(quick), std::move(state)};
       return start;
     } catch (const InputError&) { // the model itself says what is wrong

@@ -161,7 +161,7 @@ record::Record record_of(const WheelsetResult& r, const RecordParts& parts) {
     return record::Record{{"track", record::numbers_of(wheel_quantities(), false, r.state, side)},
                           {"result", record_of(r.state.solved(side), parts)}};
   };
-  return {{"certified", r.state.certified()},
+  return {{"certified", certified(r.state)},
           {"warnings", record::Texts{r.warnings, "one line for each"}},
           {"wheelset", record::numbers_of(wheelset_quantities(), false, r)},
           {"right", wheel(WheelSide::right)},

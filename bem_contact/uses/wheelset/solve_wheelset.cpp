@@ -336,6 +336,22 @@ AtLateralForce at_lateral_force(EquilibriumFinder& finder, const EquilibriumStar
   return {follower.last(), follower.slope_at(lateral, lateral::uneven * resultant)};
 }
 
+bool has_both_files(const SceneFile& scene, WheelSide side) {
+  const SceneFile one = one_wheel(scene, side);
+  return !one.rail.influence.empty() && !one.wheel.influence.empty();
+}
+
+/// Which wheel has which model, where influence files are given for one side alone; "" else.
+std::string files_of_one_side(const SceneFile& scene, const WheelsetState& s) {
+  const bool right = has_both_files(scene, WheelSide::right), left = has_both_files(scene, WheelSide::left);
+  if (right == left || s.right.choice.model == s.left.choice.model)
+    return "";
+  return fmt::format(
+      "influence files are given for the {} side alone: the right wheel is solved by {}, the left one by {} "
+      "(left_rail.influence and left_wheel.influence are files of the left profiles)",
+      right ? "right" : "left", name_of(s.right.choice.model), name_of(s.left.choice.model));
+}
+
 void add_warnings(const SceneFile& scene, WheelsetResult& out) {
   std::vector<PlacedWarning> all;
   for (const WheelSide side : both_sides)
@@ -343,6 +359,8 @@ void add_warnings(const SceneFile& scene, WheelsetResult& out) {
       all.push_back({fmt::format("{} wheel", name_of(side)), warning});
   out.warnings = once_each(all);
   warn_of_kilonewtons("wheelset.force", *scene.wheelset.force, 2, out.warnings);
+  if (std::string models = files_of_one_side(scene, out.state); !models.empty())
+    out.warnings.push_back(std::move(models));
   if (too_coarse(scene, out.state))
     out.warnings.push_back("the accuracy asked for was not reached: the equilibrium is found on the elements "
                            "that were chosen near it");

@@ -68,9 +68,12 @@ struct WheelsetState {
   double roll_moment(const Wrench& w) const;
   /// Torque that must drive the axle against these forces on the rails, N mm.
   double torque(const Wrench& w) const;
-  /// Whether the certificates of both wheels hold.
-  bool certified() const { return right.result.certified() && left.result.certified(); }
 };
+
+/// Whether both wheels are certified.
+inline bool certified(const WheelsetState& state) {
+  return certified(state.right) && certified(state.left);
+}
 
 /// Solves both wheels, each with a sequence of its own, so that a wheel starts from its own last solution.
 /// The scene is one with [wheelset].

@@ -123,8 +123,8 @@ TEST(FatigueOfResult, RefusesWhatIsNoSolution) {
   try {
     fatigue_of(r);
     FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("did not converge"));
+  } catch (const ConvergenceError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("is not a solution"));
   }
 }
 

@@ -19,7 +19,7 @@ TEST(WheelsetScene, RefusesWhatBelongsToOneWheel) {
         {"position.side = 'left'\n", "both wheels are solved"},
         {"motion.xi = 1e-3\n", "wheelset.torque"},
         {"motion.kind = 'transient'\n", "steady"},
-        {"wheelset.left_rail_influence = 'a.h5'\n", "profile is not given"},
+        {"left_rail.influence = 'a.h5'\n", "profile is not given"},
         {"motion.rolling_radius = 460\nwheelset.torque = 1e5\n", "either of the two"}})
     EXPECT_THAT(message_of([&, line = line] { standard(line); }), HasSubstr(words)) << line;
   EXPECT_THAT(message_of([] {
