@@ -108,6 +108,8 @@ std::vector<SweepCase> solve_range(const SweepFile& sweep, CaseRange cases, cons
 py::array_t<double> matrix_of(const std::vector<std::vector<double>>& columns) {
   const std::size_t length = columns.empty() ? 0 : columns.front().size();
   py::array_t<double> out({columns.size(), length});
+  if (length == 0) // there is no place to copy to
+    return out;
   for (std::size_t k = 0; k < columns.size(); ++k)
     std::ranges::copy(columns[k], out.mutable_data(static_cast<py::ssize_t>(k), 0));
   return out;
