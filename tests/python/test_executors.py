@@ -104,6 +104,37 @@ class Executors(unittest.TestCase):
             for executor in (self.processes, threads, AtOnce()):
                 self.assert_same(alone, bem_contact.sweep(SWEEP, {"motion.eta": 1e-4}, executor=executor))
 
+    def test_parts_of_a_sweep_are_kept_in_a_folder(self):
+        """Whatever happens to the workers: the same call solves what is missing, and the program joins them."""
+        changes = {"motion.eta": 1e-4}
+        alone = bem_contact.sweep(SWEEP, changes)
+        with tempfile.TemporaryDirectory() as folder:
+            output = Path(folder, "parts")
+            with concurrent.futures.ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn")) as doomed:
+                with self.assertRaises(concurrent.futures.BrokenExecutor):
+                    bem_contact.sweep(SWEEP, changes, executor=doomed, output=output,
+                                      progress=lambda done, of: [os.kill(pid, signal.SIGKILL) for pid in list(doomed._processes)])
+            kept = {file.name: file.stat().st_mtime_ns for file in output.iterdir()}
+            self.assertTrue(kept)
+            told = []
+            self.assert_same(alone, bem_contact.sweep(SWEEP, changes, executor=self.processes, output=output,
+                                                      progress=lambda *numbers: told.append(numbers)))
+            self.assertEqual(told[-1], (20, 20))
+            self.assertEqual(sum(done < of for done, of in told), len(told) - 1)
+            files = {file.name: file.stat().st_mtime_ns for file in output.iterdir()}
+            self.assertEqual({name: files[name] for name in kept}, kept)
+            damaged = output / sorted(files)[0]
+            damaged.write_bytes(damaged.read_bytes()[:1000])
+            self.assert_same(alone, bem_contact.sweep(SWEEP, changes, output=output))  # in this process
+            with self.assertRaisesRegex(bem_contact.InputError, "belongs to another sweep .its options were ' motion.eta = 0.0001', and are ''"):
+                bem_contact.sweep(SWEEP, executor=AtOnce(), output=output)
+
+    def test_the_parent_keeps_columns(self):
+        """What an executor's parent holds of a case: its numbers, and no object of Python for each."""
+        part = bem_contact._core._sweep_part((SWEEP, "s.toml", "."), None, "", 0, 20)
+        numbers = sum(one.size for one in part if isinstance(one, np.ndarray))
+        self.assertLess(len(pickle.dumps(part)), 8 * numbers + 3000)
+
     def test_a_sweep_of_wheelsets(self):
         self.assert_same(bem_contact.sweep(WHEELSET), bem_contact.sweep(WHEELSET, executor=self.processes))
 

@@ -1,4 +1,4 @@
-from collections.abc import Mapping, Sequence as _List
+from collections.abc import Callable, Mapping, Sequence as _List
 from concurrent.futures import Executor
 from os import PathLike
 from typing import Any, Final, Literal, overload
@@ -93,6 +93,9 @@ class Sweep(dict[str, Any]):
         """A DataFrame of pandas: one row for each case, or for each patch. InputError where pandas is missing."""
     def _repr_html_(self) -> str: ...
 
+    def to_parquet(self, file: str | PathLike[str], rows: Literal["cases", "patches"] = "cases") -> None:
+        """The same as a file of Parquet. InputError where pyarrow is missing."""
+
 def sweep(
     scene: _Scene,
     changes: _Changes = None,
@@ -100,8 +103,13 @@ def sweep(
     *,
     folder: str | PathLike[str] | None = None,
     executor: Executor | None = None,
+    output: str | PathLike[str] | None = None,
+    progress: Callable[[int, int], object] | None = None,
 ) -> Sweep:
-    """The cases of a table [sweep] as columns: the keys swept over, "status", "reason", "model", the numbers, "patches"."""
+    """The cases of a table [sweep] as columns: the keys swept over, "status", "reason", "model", the numbers, "patches".
+
+    `output`: a folder that keeps what is solved, for the same call after a stop. `progress(done, of)`: called after each task.
+    """
 
 def profile(
     file: str | PathLike[str],

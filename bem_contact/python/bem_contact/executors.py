@@ -4,6 +4,7 @@ A task is a function of this package and its arguments, all of which can be pick
 bem_contact and sees the same files, and says the same wherever it runs.
 """
 
+import concurrent.futures
 from importlib import import_module
 
 
@@ -26,3 +27,22 @@ def results_of(executor, function, tasks):
 def run_on(executor, kind, tasks):
     """The results of all tasks of a kind."""
     return results_of(executor, part, [(kind, *task) for task in tasks])
+
+
+def run_each(executor, kind, tasks, take):
+    """take(number of the task, its result) for each task of a kind, as soon as it is there. No result is kept."""
+    if executor is None:
+        for number, task in enumerate(tasks):
+            take(number, part(kind, *task))
+        return
+    numbers = {executor.submit(part, kind, *task): number for number, task in enumerate(tasks)}
+    try:
+        # Somebody else's futures are waited for in their order.
+        known = all(isinstance(future, concurrent.futures.Future) for future in numbers)
+        for future in concurrent.futures.as_completed(list(numbers)) if known else list(numbers):
+            take(numbers.pop(future), future.result())
+            del future
+    except BaseException:
+        for future in numbers:
+            future.cancel()
+        raise

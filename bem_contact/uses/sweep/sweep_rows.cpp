@@ -23,9 +23,9 @@ SweepRows read_rows(const SweepPart& part, const SweepColumns& columns) {
   const std::string group = patch_group;
   SweepRows out{.cases = part.cases};
   const std::vector<double> status = file.line("status", 0, count);
-  require_within({0, EnumNames<CaseStatus>::names.size()}, status, "status", part.file);
+  require_within({0, record::outcomes_of_cases}, status, "status", part.file);
   for (const double one : status)
-    out.status.push_back(static_cast<CaseStatus>(one));
+    out.status.push_back(static_cast<record::Outcome>(one));
   for (const SweepColumn& column : columns.cases)
     out.numbers.cases.push_back(file.line(column.name, 0, count));
   if (part.patches > 0) {
