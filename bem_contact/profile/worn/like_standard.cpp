@@ -34,8 +34,7 @@ constexpr double least_unworn_share = 0.25;
 /// 1. A rail whose top is worn all over is told by its flanks: this share of each of them must lie on the
 /// standard,
 constexpr double least_flanks_share = 0.5;
-/// 1. and this share of the whole head. Of a 60E1 with a trough of 2 mm and 18 mm about a place beside the
-/// middle .15 remains; heads of other widths have no place for both flanks.
+/// 1. and this share of the whole head. Chosen: heads of other widths have no place for both flanks.
 constexpr double least_share_with_flanks = 0.1;
 /// 1. On the standard from which it is worn more lies. Chosen.
 constexpr double surely_like_share = 0.5;
