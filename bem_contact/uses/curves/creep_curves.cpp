@@ -30,6 +30,10 @@ constexpr double slope_step = 3e-3;
 /// 1, of the same creepage. Step of the differences that give sensitivities at a solution. With smaller ones
 /// the change of state of single elements shows.
 constexpr double sensitivity_step = 0.04;
+/// 1. Of a derivative over the root of the number of elements in contact: larger elements may have the same
+/// one by chance, and the border of the contact is known to a part of an element. Chosen on 45 slopes at zero
+/// of ellipses with 20 to 40 elements across, beside Kalker's.
+constexpr double border_share = 0.7;
 /// 1. Kalker's coefficients in place of unknown ones, for the steps and ranges of a contact that is no
 /// ellipse: 4 is that of a circle.
 constexpr double usual_coefficient = 4.0;
@@ -169,8 +173,11 @@ void add_difference_points(std::vector<Creepages>& points, const Creepages& at, 
 
 /// `order`: of the leading error in the step, which two steps take out. 2 where forces are smooth. At zero
 /// creepage slip begins at both sides of zero, and the error has order 1.
-CreepDerivatives derivatives(std::span<const CreepPoint> points, const Creepages& steps, int order) {
+/// `contact`: elements in contact.
+CreepDerivatives derivatives(std::span<const CreepPoint> points, const Creepages& steps, int order,
+                             int contact) {
   CreepDerivatives out;
+  const double local = border_share / std::sqrt(double(contact));
   const double gain = std::pow(2, order) - 1;
   for (const CreepKind kind : kinds) {
     const std::size_t k = index(kind);
@@ -181,7 +188,8 @@ CreepDerivatives derivatives(std::span<const CreepPoint> points, const Creepages
     for (std::size_t i = 0; i < out.values.size(); ++i) {
       const double whole = slope(0, i, &CreepPoint::forces), half = slope(1, i, &CreepPoint::forces);
       out.values[i][k] = half + (half - whole) / gain;
-      out.errors[i][k] = std::abs(half - whole) + std::abs(whole - slope(0, i, &CreepPoint::coarse));
+      out.errors[i][k] = std::abs(half - whole) + std::abs(whole - slope(0, i, &CreepPoint::coarse)) +
+                         local * std::abs(out.values[i][k]);
     }
   }
   return out;
@@ -266,8 +274,9 @@ CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ran
     rest = rest.subspan(count);
     return some;
   };
-  out.sensitivities = derivatives(next(points_of_derivatives), part(sensitivity_step), 2);
-  out.slopes = derivatives(next(points_of_derivatives), part(slope_step), 1);
+  const int contact = count_elements(out.solution.result).contact;
+  out.sensitivities = derivatives(next(points_of_derivatives), part(sensitivity_step), 2, contact);
+  out.slopes = derivatives(next(points_of_derivatives), part(slope_step), 1, contact);
   for (CreepCurve& curve : out.curves)
     for (CreepPoint& point : curve.points) {
       const double creepage = point.creepage;

@@ -51,7 +51,7 @@ TEST(CreepCurves, SlopesAtZeroGoToKalkersCoefficients) {
 /// The stated errors of derivatives are those of the elements: the limit lies within them, and they shrink.
 TEST(CreepCurves, ErrorsOfSlopesHold) {
   for (const double curvature : {2e-3, 1e-3})
-    for (const int across : {14, 20, 28}) {
+    for (const int across : {20, 28, 40}) {
       const CreepCurves c = curves(hertz(across, curvature));
       for (const auto& [f, k] : {std::pair(Fx, xi), {Fs, eta}, {Fs, phi}, {Mz, eta}, {Mz, phi}}) {
         const double true_error = std::abs(c.slopes.values[f][k] - c.linear->slopes[f][k]);
