@@ -17,7 +17,7 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <optional>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -47,10 +47,10 @@ void choose_transport() {
 
 /// A process alone makes OpenMPI's folder of sessions itself, and OpenMPI leaves it behind at Ctrl-C. Ours is
 /// removed (base/temporary_folder.hpp), with what is in it; mpirun removes its own.
-std::optional<TemporaryFolder> folder_of_sessions() {
+std::unique_ptr<TemporaryFolder> folder_of_sessions() {
   if (std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMIX_RANK"))
-    return std::nullopt;
-  std::optional<TemporaryFolder> folder(std::in_place);
+    return nullptr;
+  auto folder = std::make_unique<TemporaryFolder>();
   ::setenv("TMPDIR", folder->path().c_str(), 1);
   return folder;
 }
@@ -138,7 +138,7 @@ int run_program(int argc, char** argv) {
 
   use_one_blas_thread();
   choose_transport();
-  const std::optional<TemporaryFolder> sessions = folder_of_sessions();
+  const std::unique_ptr<TemporaryFolder> sessions = folder_of_sessions();
   MPI_Init(&argc, &argv);
   const auto messages = install_message_sink();
   if (fem::process_rank() != 0)

@@ -63,7 +63,8 @@ Schema schema_of(StudyCase& study) {
   uncertainty.add("seed", u.seed, "Other seeds give other draws", {.at_least = 0});
   uncertainty.add("parts", u.parts, "Parts of the study that are drawn, with commas; none: all");
   influence.add("program", study.influence.program,
-                "Program that is called with a body file and the influence file to write");
+                "Program that is called with a body file and the influence file to write, if --influence "
+                "names it, too");
   influence.add("rail", study.influence.rail, "Body file of rail.influence");
   influence.add("wheel", study.influence.wheel, "Body file of wheel.influence");
   return out;
