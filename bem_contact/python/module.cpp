@@ -263,9 +263,10 @@ void add_trust(ResultClass& c) {
                           "Why numbers have no stated errors, and what to do; \"\" where they have");
   c.def_readonly("warnings", &SceneResult::warnings,
                  "What to know before the numbers are used, each with its figure and what to do");
-  c.def_property_readonly("certified", &certified,
-                          "Whether the certificate holds, and all steps before are solutions: look at it "
-                          "before you use any number");
+  c.def_property_readonly(
+      "certified", [](const SceneResult& r) { return certified(r); },
+      "Whether the certificate holds, and all steps before are solutions: look at it "
+      "before you use any number");
   c.def_property_readonly(
       "converges_with_elements",
       [](const SceneResult& r) {

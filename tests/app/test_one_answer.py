@@ -67,7 +67,7 @@ class OneAnswer(unittest.TestCase):
                 model = alone["result"]["model"]
                 self.assertIn(f"{side} wheel where wheelset has put it, by {model} on its elements", said)
                 self.assertEqual(found["creep_curves.model"], model)
-                self.near(found["fatigue/patches/pmax"][0], alone["track"]["pmax"], "pmax of fatigue")
+                self.near(max(found["fatigue/patches/pmax"]), alone["track"]["pmax"], "pmax of fatigue")
                 self.near(sum(found["fatigue/patches/T_gamma"]), alone["track"]["T_gamma"], "T-gamma of fatigue", 1e-3)
                 self.near(found["creep_curves/Fz"], alone["track"]["Fz"], "Fz of the creep curves")
                 worn = json.loads(self.call("wear", self.scene, "--json"))
