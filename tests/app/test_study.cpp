@@ -41,7 +41,8 @@ protected:
   std::set<std::string> files() const {
     std::set<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(folder_ / "out"))
-      names.insert(entry.path().filename().string());
+      if (const std::string name = entry.path().filename().string(); !name.starts_with(".made_by_"))
+        names.insert(name);
     names.erase("study.html"); // only builds that have the plotting library make it
     return names;
   }

@@ -62,7 +62,7 @@ struct NewBody {
   std::string lines;
   std::string nominal = {}; ///< "": none
   double smoothing = 0;     ///< mm
-  double inclination = 0; ///< rad, of a rail in its file
+  double inclination = 0;   ///< rad, of a rail in its file
 };
 
 /// The name of a profile, as a scene in the output's folder gives it.

@@ -24,7 +24,8 @@ enum class PartCheck { head, all };
 /// be read.
 std::vector<std::filesystem::path> files_of_parts(const std::vector<std::filesystem::path>& names);
 
-/// The parts among files and folders (files_of_parts()). Throws InputError where two parts have the same case.
+/// The parts among files and folders (files_of_parts()). Throws InputError where two parts have the same
+/// case.
 FoundParts find_parts(const AskedSweep& asked, const std::vector<std::filesystem::path>& names,
                       PartCheck check);
 

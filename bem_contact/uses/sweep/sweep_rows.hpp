@@ -13,7 +13,7 @@ namespace bem_contact {
 /// What is found of some neighbours in the order of a sweep, column by column: half a kilobyte a case.
 struct SweepRows {
   CaseRange cases;
-  std::vector<record::Outcome> status = {};             ///< [case]
+  std::vector<record::Outcome> status = {};        ///< [case]
   std::map<std::size_t, std::string> reasons = {}; ///< of the cases that have one, by their number
   SweepNumbers numbers = {};
 };
