@@ -77,7 +77,9 @@ public:
   int number = 1;             ///< of all cases of the file, from 1
   bool first = true;          ///< of its result element
   Digits digits;
-  Digits effective;                 ///< C, D, L, V as given last: 0 and 1 mean "as before"
+  Digits effective; ///< C, D, L, V as given last: 0 and 1 mean "as before"
+  /// Module 3: load and material with which the potential contact was formed (D = 1, 2); D = 0 keeps it.
+  std::shared_ptr<const Block> grid_load, grid_material;
   std::vector<std::string> remarks; ///< numbers that CONTACT would take for remarks, in sentences
 
   bool has(Data data) const { return blocks_.at(index(data)) != nullptr; }
@@ -86,6 +88,7 @@ public:
   void set(Data data, Block block) {
     blocks_.at(index(data)) = std::make_shared<const Block>(std::move(block));
   }
+  std::shared_ptr<const Block> shared(Data data) const { return blocks_.at(index(data)); } ///< null: none
   void remove(Data data) { blocks_.at(index(data)) = nullptr; }
 
 private:

@@ -57,6 +57,10 @@ void read_all(InputLines& in, std::vector<CaseState>& cases) {
     state.digits = read_digits(in, where.module);
     apply_rules(in, state);
     set_effective(state);
+    if (where.module == 3 && state.digits['D'] != 0) {
+      state.grid_load = state.shared(Data::kinematics);
+      state.grid_material = state.shared(Data::material);
+    }
     state.remarks = in.beyond();
     cases.push_back(state);
     stays = state.digits.is('R', "02");

@@ -7,11 +7,11 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const std::string load = " 6000. -0.02 0. 0.\n";
+const std::string next_load = " 6000. -0.02 0. 0.\n";
 
 /// L = 1, C = 1, D = 0, Z = 0: all of it stays; N, F and the load are read in every case.
 TEST(ContactCases, WhatACaseKeeps) {
-  const auto cases = cases_of(ball_case + case_of("3", {"203100", "100000"}, load));
+  const auto cases = cases_of(ball_case + case_of("3", {"203100", "100000"}, next_load));
   ASSERT_EQ(cases.size(), 2U);
   EXPECT_EQ(cases[1].number, 2);
   EXPECT_EQ(cases[1].line, 11);
@@ -29,8 +29,8 @@ TEST(ContactCases, WhatADigitSwitchesOff) {
   const std::string layered =
       ball.substr(0, ball.find(" -1")) + " 8200. 1.25 0 0 GG3\n" + ball.substr(ball.find(" -1"));
   const auto cases =
-      cases_of(case_of("3", {"203100", "022420"}, layered) + case_of("3", {"203100", "100000"}, load) +
-               case_of("3", {"203100", "100400"}, load));
+      cases_of(case_of("3", {"203100", "022420"}, layered) + case_of("3", {"203100", "100000"}, next_load) +
+               case_of("3", {"203100", "100400"}, next_load));
   EXPECT_EQ(cases[1].digits['M'], 0);
   EXPECT_EQ(cases[2].digits['M'], 4);
   EXPECT_EQ(cases[2][Data::layer]["LAYTHK"], 1.25);
@@ -41,13 +41,13 @@ TEST(ContactCases, ResultElements) {
   const std::string other =
       case_of("3 2", {"203100", "022020"}, " 1. 0 0 0\n 0.5 0.5\n" + ball.substr(ball.find(" 0d")));
   const auto cases = cases_of(
-      case_of("3 1", {"203100", "022020"}, ball) + other + case_of("3 1", {"203100", "100000"}, load) +
-      case_of("3 2", {"203100", "100000"}, load) + case_of("3 2 3", {"203100", "022020"}, ball));
+      case_of("3 1", {"203100", "022020"}, ball) + other + case_of("3 1", {"203100", "100000"}, next_load) +
+      case_of("3 2", {"203100", "100000"}, next_load) + case_of("3 2 3", {"203100", "022020"}, ball));
   EXPECT_EQ(cases[2][Data::friction].at(0, 0), 0.3);
   EXPECT_EQ(cases[3][Data::friction].at(0, 0), 0.5);
   EXPECT_EQ(cases[4].patch, 3);
   EXPECT_TRUE(cases[4].first);
-  EXPECT_THAT(error_of(wheel_case + case_of("3", {"203100", "100000"}, load)),
+  EXPECT_THAT(error_of(wheel_case + case_of("3", {"203100", "100000"}, next_load)),
               HasSubstr("L = 1 keeps the law of friction"));
 }
 

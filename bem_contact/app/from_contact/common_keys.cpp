@@ -193,8 +193,7 @@ void add_friction_table(const CaseState& state, const std::string& header, const
   out.tables.push_back({"motion.friction_table", std::move(text)});
 }
 
-double contact_modulus(const CaseState& state) {
-  const Block& m = state[Data::material];
+double contact_modulus(const Block& m) {
   return 1 / ((1 - m["POISS1"]) / (2 * m["GG1"]) + (1 - m["POISS2"]) / (2 * m["GG2"]));
 }
 

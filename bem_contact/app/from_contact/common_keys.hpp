@@ -12,7 +12,7 @@ namespace bem_contact::app::from_contact {
 void add_common_keys(const contact_input::CaseState& state, ContactCase& out);
 
 /// Contact modulus of the pair, MPa.
-double contact_modulus(const contact_input::CaseState& state);
+double contact_modulus(const contact_input::Block& material);
 
 /// The law of friction as keys; `row` of the block's table. Sets out.friction.
 void add_friction(const contact_input::CaseState& state, std::size_t row, ContactCase& out);

@@ -57,7 +57,7 @@ private:
 } // namespace
 
 void ContactCase::set(const std::string& key, double value) {
-  set(key, fmt::format("{}", value));
+  set(key, fmt::format("{:.14g}", value == 0 ? 0.0 : value)); // no -0
 }
 
 double ContactCase::number(const std::string& key) const {

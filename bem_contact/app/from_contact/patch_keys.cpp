@@ -21,7 +21,7 @@ constexpr double rounding = 1e-9;
 
 /// The grid, or nothing where it is refused. Sets the ellipse's curvatures.
 std::optional<PatchGrid> add_grid(const CaseState& state, ContactCase& out) {
-  const Block &p = state[Data::potential], &k = state[Data::kinematics];
+  const Block &p = state[Data::potential], &k = *state.grid_load;
   std::optional<PatchGrid> grid;
   if (p["IPOTCN"] > 0)
     grid = grid_by_places(p);
@@ -29,7 +29,7 @@ std::optional<PatchGrid> add_grid(const CaseState& state, ContactCase& out) {
     const bool by_force = k.has("FN");
     try {
       const HertzianGrid found =
-          grid_by_ellipse(p, contact_modulus(state), by_force, by_force ? k["FN"] : k["PEN"]);
+          grid_by_ellipse(p, contact_modulus(*state.grid_material), by_force, by_force ? k["FN"] : k["PEN"]);
       out.set("gap.a", found.curvature_x);
       out.set("gap.b", found.curvature_s);
       grid = found.grid;
