@@ -1,6 +1,7 @@
 #include "bem_contact/app/from_contact/profile_keys.hpp"
 
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/profile/formats/profile_formats.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 
 #include <algorithm>
@@ -52,12 +53,23 @@ bool ProfileKeys::is_simpack() const {
   return ending == ".prr" || ending == ".prw";
 }
 
+/// y of a MiniProf file counts the other way here (to the gauge side of a rail); CONTACT takes it as it
+/// stands.
+bool ProfileKeys::mirror() const {
+  bool other_way = false;
+  try {
+    other_way = is_miniprof(read_text_file(file_.string(), "profile"));
+  } catch (const InputError&) { // whoever reads the profile says so
+  }
+  return (given_["MIRRORY"] == 1) != other_way;
+}
+
 void ProfileKeys::add(ContactCase& out) const {
   if (const std::string ending = lower_ending(file_); ending == ".slcs" || ending == ".slcw")
     return out.refuse(fmt::format("'{}': a profile that changes {}", given_.text,
                                   body_ == "rail" ? "along the track" : "round the wheel"));
   out.set_text(body_ + ".profile", file_.generic_string());
-  if (given_["MIRRORY"] == 1)
+  if (mirror())
     out.set(body_ + ".mirror", "true");
   if (const double z = given_.number("MIRRORZ", 0); z != 0)
     out.set_text(body_ + ".profile_z", z > 0 ? "up" : "down");
@@ -95,7 +107,7 @@ std::optional<MeasuredProfile> ProfileKeys::read(ContactCase& out) const {
     return measured_profile(
         file_, body_ == "rail" ? ProfileKind::rail : ProfileKind::wheel,
         {.unit = value_named<ProfileUnit>(unit_of(given_["SCALE"])).value_or(ProfileUnit::found),
-         .mirror = given_["MIRRORY"] == 1,
+         .mirror = mirror(),
          .keep_origin = true});
   } catch (const InputError& error) {
     out.refuse(fmt::format("the {}'s profile cannot be read: {}", body_, error.what()));

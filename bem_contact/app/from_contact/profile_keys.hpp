@@ -32,6 +32,7 @@ public:
 
 private:
   bool is_simpack() const;
+  bool mirror() const;
   void add_smoothing(ContactCase& out) const;
   std::optional<MeasuredProfile> read(ContactCase& out) const;
 

@@ -185,6 +185,24 @@ void add_shift(const CaseState& state, ContactCase& out) {
   }
 }
 
+/// The wheel of a flexible wheelset. There it turns about the axle of the rigid wheelset, however it is
+/// inclined; here about its own. The difference is a yaw and a roll rate, and a forward velocity where its
+/// centre lies off the axle.
+void add_velocity_of_wheel(const CaseState& state, double pitch_rate, ContactCase& out) {
+  const Block& d = state[Data::wheel_deviation];
+  const double radius = state[Data::wheelset]["NOMRAD"], roll = d["DROLL"], yaw = d["DYAW"];
+  if (state.digits['F'] == 1 && (roll != 0 || yaw != 0 || d["DZ"] != 0))
+    return out.refuse(
+        "F = 1 with DZ, DROLL or DYAW of the wheel: it depends on the pitch rate, which is to be found");
+  const double below = d["DZ"] + radius * (1 - std::cos(roll)); // of the wheel's centre, below the axle
+  out.set("motion.wheel_forward_velocity", d["VX"] - pitch_rate * below);
+  out.set("motion.wheel_lateral_velocity", d["VY"] + radius * std::cos(roll) * d["VROLL"]);
+  out.set("motion.wheel_vertical_velocity", d["VZ"] + radius * std::sin(roll) * d["VROLL"]);
+  out.set("motion.wheel_roll_rate", d["VROLL"] - pitch_rate * std::tan(yaw));
+  out.set("motion.wheel_yaw_rate", d["VYAW"] + pitch_rate * std::tan(roll));
+  out.set("motion.wheel_pitch_rate", -d["VPITCH"] + pitch_rate * (1 / (std::cos(roll) * std::cos(yaw)) - 1));
+}
+
 void add_velocity(const CaseState& state, ContactCase& out) {
   if (state.digits['T'] == 1)
     return add_shift(state, out);
@@ -213,14 +231,7 @@ void add_velocity(const CaseState& state, ContactCase& out) {
                            state.digits['F'] == 1 ? "FX" : "VPITCH"));
   if (!state.has(Data::wheel_deviation))
     return;
-  const Block& d = state[Data::wheel_deviation];
-  const double radius = state[Data::wheelset]["NOMRAD"];
-  out.set("motion.wheel_forward_velocity", d["VX"]);
-  out.set("motion.wheel_lateral_velocity", d["VY"] + radius * std::cos(d["DROLL"]) * d["VROLL"]);
-  out.set("motion.wheel_vertical_velocity", d["VZ"] + radius * std::sin(d["DROLL"]) * d["VROLL"]);
-  out.set("motion.wheel_roll_rate", d["VROLL"]);
-  out.set("motion.wheel_yaw_rate", d["VYAW"]);
-  out.set("motion.wheel_pitch_rate", -d["VPITCH"]);
+  add_velocity_of_wheel(state, -v.number("VPITCH", 0), out);
 }
 
 /// Keys with their default value say nothing.
