@@ -23,7 +23,7 @@ def totals_of_case(lines: list) -> dict:
     out = {}
     pressures = []
     for k, line in enumerate(lines):
-        names = line.replace("SHIFT ", "SHIFT_").split()
+        names = line.replace("SHIFT ", "SHIFT_").replace("CREEP ", "CREEP_").split()  # one name is two words
         after = numbers(lines[k + 1]) if k + 1 < len(lines) else []
         if names[:3] == ["FX(TR)", "FY(TR)", "FZ(TR)"] and len(after) >= 3:
             out.update(Fx=after[0], Fy=after[1], Fn=after[2], track=True)
