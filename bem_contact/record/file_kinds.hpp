@@ -20,6 +20,7 @@ inline constexpr const char* fatigue_format = "bem_contact fatigue 2";
 inline constexpr const char* table_format = "bem_contact table 4";
 inline constexpr const char* wear_format = "bem_contact wear 2";
 inline constexpr const char* contact_wear_format = "bem_contact wear of one contact 1";
+inline constexpr const char* from_contact_format = "bem_contact from-contact 1";
 inline constexpr const char* study_format = "bem_contact study 1";
 inline constexpr const char* profile_format = "bem_contact profile 1"; ///< JSON alone
 inline constexpr const char* numbers_format = "conformal-contact influence numbers 2";

@@ -126,8 +126,8 @@ TEST_F(FromContact, AWheelOnARail) {
   const std::string first = text_of(scene(1)), next = text_of(scene(2));
   for (const char* line :
        {"position.lateral = 2", "position.side = \"right\"", "position.roll = -0.001", "load.force = 80000",
-        "motion.pitch_rate = 43.4", "position.rail_inclination = 0.025", "wheel.flange_back = -70",
-        "grid.planar = true", "hollow_wheel.txt"})
+        "motion.pitch_rate = 43.4", "position.rail_inclination = 0.025", "wheel.place = \"absolute\"",
+        "wheel.y = 750", "rail.unit = \"mm\"", "hollow_wheel.txt"})
     EXPECT_THAT(first, HasSubstr(line));
   EXPECT_THAT(next, HasSubstr("position.lateral = 3"));
   EXPECT_THAT(next, HasSubstr("motion.pitch_rate = 43.4"));
@@ -137,16 +137,19 @@ TEST_F(FromContact, AWheelOnARail) {
   pulled.replace(pulled.find("1203100"), 7, "1203110");
   pulled.replace(pulled.find("-43.4 "), 6, "5000. ");
   pulled.replace(pulled.rfind(" 1 MODULE"), std::string::npos, " 0 MODULE\n");
+  const Outcome yawed = convert(pulled);
+  EXPECT_EQ(yawed.code, 2);
+  EXPECT_THAT(yawed.out, HasSubstr("no scene: F = 1 with YAW"));
+  pulled.replace(pulled.find("0.05d"), 5, "0.   ");
   ASSERT_EQ(convert(pulled).code, 0);
   EXPECT_THAT(text_of(scene(1)), HasSubstr("load.force_x = 5000"));
-  EXPECT_THAT(text_of(scene(1)), HasSubstr("FX along the axis of a wheelset that is yawed by"));
 }
 
 /// What would be another problem has no scene, with the digit that says so; the other cases have.
 TEST_F(FromContact, SaysWhatHasNoCounterpart) {
   std::string plastic = spheres;
   plastic.replace(plastic.find(" 022020"), 7, " 022420");
-  plastic.replace(plastic.find(" -1  "), 0, " 1. 2. 3. 4.\n");
+  plastic.replace(plastic.find(" -1  "), 0, " 8200. 0.05 10. 0.\n");
   const Outcome done =
       convert(spheres.substr(0, spheres.find(" 0  MODULE")) + plastic.substr(plastic.find(" 3")));
   EXPECT_EQ(done.code, 2);
@@ -158,9 +161,10 @@ TEST_F(FromContact, SaysWhatHasNoCounterpart) {
     EXPECT_THAT(wrong.err, HasSubstr(words));
   };
   refused("no digits\n", "MODULE cannot be read");
-  refused("", "has no case");
+  refused("", "MODULE cannot be read (the file ends here)");
+  refused(" 0 MODULE\n", "has no case");
   refused(" 3 MODULE\n 200100\n", "the file ends here");
-  refused(" 11 MODULE\n", "module 11 cannot be read");
+  refused(" 11 MODULE\n", "MODULE is 11");
 }
 
 } // namespace

@@ -1,24 +1,32 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/from_contact/contact_cases.hpp"
+#include "bem_contact/app/from_contact/scene_text.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/output_folder.hpp"
 #include "bem_contact/base/printable.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/json.hpp"
 #include "bem_contact/scene/scene_file.hpp"
+#include "bem_contact/sequence/scene_record.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 #include <ostream>
 #include <spdlog/spdlog.h>
 #include <string>
+#include <system_error>
+#include <utility>
 
 namespace bem_contact::app {
 
 namespace {
+
+using namespace from_contact;
 
 constexpr const char* from_contact_help =
     R"(Reads an input file (.inp) of the program CONTACT, cases of a wheel on a rail (module 1) and of a patch (module 3), and
@@ -31,63 +39,75 @@ data/tutorial/contact.md.
 
 Exit code 0: every case has a scene; 2: some have none, or the file cannot be read.)";
 
-/// The name of a profile as a scene in `folder` finds it: CONTACT looks beside the input file.
-std::string profile_beside(const std::string& value, const std::filesystem::path& input,
-                           const std::filesystem::path& folder) {
-  std::string name = value.substr(1, value.size() - 2);
-  std::replace(name.begin(), name.end(), '\\', '/');
-  const auto file = std::filesystem::absolute(input).parent_path() / name;
-  return fmt::format("\"{}\"", file.lexically_normal()
-                                   .lexically_proximate(std::filesystem::absolute(folder).lexically_normal())
-                                   .generic_string());
-}
-
-std::string scene_of_case(const ContactCase& one, const std::filesystem::path& input,
-                          const std::filesystem::path& folder, const std::string& stem) {
-  std::string out = fmt::format("# {} of {}, written by bem_contact from-contact.\n",
-                                one.first == one.last ? fmt::format("Case {}", one.first)
-                                                      : fmt::format("Cases {} to {}", one.first, one.last),
-                                input.filename().string());
-  for (const std::string& sentence : one.left_out)
-    out += fmt::format("# Left out: {}.\n", sentence);
-  const bool steps = std::ranges::count(one.tables, "motion.step_table", &SceneTableFile::key) > 0;
-  for (const auto& [key, value] : one.keys)
-    if (!(steps && (key == "motion.xi" || key == "motion.eta" || key == "motion.phi"))) // the table has them
-      out += fmt::format("{} = {}\n", key,
-                         key.ends_with(".profile") ? profile_beside(value, input, folder) : value);
-  for (const SceneTableFile& table : one.tables)
-    out += fmt::format("{} = \"{}_{}.csv\"\n", table.key, stem, table.key.substr(table.key.find('.') + 1));
-  return out;
-}
-
 std::string stem_of(const ContactCase& one, const std::filesystem::path& input) {
   return fmt::format("{}_{:03}", input.stem().string(), one.first);
 }
 
-/// Writes the scene of a case with its tables. False where it has none; says what was left out.
-bool write_case(const ContactCase& one, const std::filesystem::path& input, OutputFolder& folder) {
-  const std::string stem = stem_of(one, input);
-  const std::string name = one.first == one.last ? fmt::format("case {}", one.first)
-                                                 : fmt::format("cases {} to {}", one.first, one.last);
-  for (const std::string& sentence : one.refused)
-    print_out("{} (line {}): no scene: {}\n", name, one.line, sentence);
+/// Writes the scene of a case with its tables, and returns its name. A case that makes none gets the reason,
+/// and "".
+std::string write_case(ContactCase& one, const std::filesystem::path& input, OutputFolder& folder) {
   if (!one.refused.empty())
-    return false;
-  for (const SceneTableFile& table : one.tables)
-    folder.write(fmt::format("{}_{}.csv", stem, table.key.substr(table.key.find('.') + 1)),
-                 [&](std::ostream& out) { out << table.text; });
+    return "";
+  const std::string stem = stem_of(one, input);
+  for (const SceneTableFile& table : tables_of_case(one))
+    folder.write(name_of_table(stem, table), [&](std::ostream& out) { out << table.text; });
   const std::string text = scene_of_case(one, input, folder.path(), stem);
   try {
     parse_scene_file({text, stem + ".toml", folder.path()});
   } catch (const InputError& error) {
-    print_out("{} (line {}): no scene: {}\n", name, one.line, error.what());
-    return false;
+    one.refuse(error.what());
+    return "";
   }
   folder.write(stem + ".toml", [&](std::ostream& out) { out << text; });
-  print_out("{}: {}.toml\n", name, stem);
+  return stem + ".toml";
+}
+
+void print_case(const ContactCase& one, const std::string& scene) {
+  const std::string name = one.first == one.last ? fmt::format("case {}", one.first)
+                                                 : fmt::format("cases {} to {}", one.first, one.last);
+  for (const std::string& sentence : one.refused)
+    print_out("{} (line {}): no scene: {}\n", name, one.line, sentence);
+  if (scene.empty())
+    return;
+  print_out("{}: {}\n", name, scene);
   for (const std::string& sentence : one.left_out)
     print_out("    left out: {}\n", sentence);
-  return true;
+}
+
+record::Record record_of(const ContactCase& one, const std::string& scene) {
+  return {
+      {"first", record::Number{static_cast<double>(one.first), "1", "number in the file, from 1", {}, true}},
+      {"last", record::Number{static_cast<double>(one.last), "1", "of the last step", {}, true}},
+      {"line", record::Number{static_cast<double>(one.line), "1", "where it begins", {}, true}},
+      {"scene", record::Text{scene}},
+      {"left_out", record::Texts{one.left_out, "what has no counterpart"}},
+      {"refused", record::Texts{one.refused, "why there is no scene"}}};
+}
+
+ExitCode convert(const std::string& input, const std::filesystem::path& name, bool json) {
+  auto [cases, broken] = read_contact_cases(input);
+  OutputFolder folder(name, {.maker = "from-contact", .alone = false, .inputs = {input}});
+  for (const ContactCase& one : cases) // before one is written
+    folder.require(stem_of(one, input) + ".toml");
+  record::Record all;
+  std::size_t without = 0;
+  for (ContactCase& one : cases) {
+    const std::string scene = write_case(one, input, folder);
+    without += scene.empty();
+    if (!json)
+      print_case(one, scene);
+    all.add(fmt::format("{:05}", one.first), record_of(one, scene));
+  }
+  if (json)
+    print_out("{}\n", record::to_json(headed(from_contact_format)
+                                           .add("cases", std::move(all))
+                                           .add("broken", broken ? broken->what() : "")));
+  if (broken)
+    throw InputError(*broken);
+  if (without == 0)
+    return success;
+  spdlog::error("{} of {} without a scene (see above)", without, counted(cases.size(), "case", "cases"));
+  return wrong_input;
 }
 
 } // namespace
@@ -96,27 +116,15 @@ Command add_from_contact(CLI::App& program) {
   struct Arguments {
     std::string input;
     std::filesystem::path folder;
+    bool json = false;
   };
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* line = program.add_subcommand("from-contact", "Scenes of an input file of Kalker's CONTACT");
   line->add_option("file", arguments->input, "Input file (.inp) of CONTACT")->required();
   add_output_option(*line, "-o,--output", arguments->folder, "Folder of the scenes")->required();
   line->footer(from_contact_help);
-  return {line, [arguments] {
-            const std::vector<ContactCase> cases = read_contact_cases(arguments->input);
-            OutputFolder folder(arguments->folder,
-                                {.maker = "from-contact", .alone = false, .inputs = {arguments->input}});
-            for (const ContactCase& one : cases) // before one is written
-              folder.require(stem_of(one, arguments->input) + ".toml");
-            std::size_t without = 0;
-            for (const ContactCase& one : cases)
-              without += !write_case(one, arguments->input, folder);
-            if (without == 0)
-              return success;
-            spdlog::error("{} of {} without a scene (see above)", without,
-                          counted(cases.size(), "case", "cases"));
-            return wrong_input;
-          }};
+  line->add_flag("--json", arguments->json, "Print what became of each case as JSON");
+  return {line, [arguments] { return convert(arguments->input, arguments->folder, arguments->json); }};
 }
 
 } // namespace bem_contact::app

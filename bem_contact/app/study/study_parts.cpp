@@ -2,6 +2,7 @@
 
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/study/run_line.hpp"
+#include "bem_contact/app/sweep/sweep_on_cores.hpp"
 #include "bem_contact/app/wear/wear_state.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/file_lock.hpp"

@@ -16,7 +16,7 @@ namespace bem_contact {
 namespace {
 
 /// mm. Least approach for which a potential contact is planned: a grid is needed under no load too.
-constexpr double least_approach = 1e-4;
+constexpr double smallest_approach = 1e-4;
 /// 1. Least value of the vertical force of pressure and shear over that of the pressure: where friction takes
 /// all of it away, the estimate would be without end.
 constexpr double least_lift = 0.05;
@@ -398,7 +398,7 @@ std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate, doub
 
 std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate) {
   const double share = potential_share + (estimate.penetration - penetration_share);
-  return potential_areas(estimate, share * std::max(estimate.approach, least_approach));
+  return potential_areas(estimate, share * std::max(estimate.approach, smallest_approach));
 }
 
 } // namespace bem_contact

@@ -1,0 +1,268 @@
+#include "bem_contact/app/from_contact/wheel_rail_keys.hpp"
+
+#include "bem_contact/app/from_contact/common_keys.hpp"
+#include "bem_contact/app/from_contact/profile_keys.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+
+// Places, signs and rates are those of CONTACT's user guide, chapter "Module 1: wheel/rail contact". y points
+// to the right on both sides there; a scene's rail.y counts towards the side of its wheel.
+namespace bem_contact::app::from_contact {
+
+namespace {
+
+using contact_input::Block;
+using contact_input::CaseState;
+using contact_input::Data;
+
+bool left(const CaseState& state) {
+  return state.digits.is('1', "04");
+}
+bool on_roller(const CaseState& state) {
+  return state.digits.is('1', "45");
+}
+
+void refuse_digits_of_module_1(const CaseState& state, ContactCase& out) {
+  const auto& d = state.digits;
+  if (d['F'] == 3)
+    out.refuse("F = 3: a rail on springs");
+  if (d.is('P', "03") && d.is('T', "12") && !state.first)
+    out.refuse(fmt::format(
+        "P = {}: it goes on from the tractions of the case before; a wheel that moves along in steps "
+        "has no scene",
+        d['P']));
+}
+
+/// The row of coefficients at the place s along the track, linear in between (V = 2).
+void add_friction_at(const CaseState& state, double s, ContactCase& out) {
+  const Block& f = state[Data::friction];
+  for (std::size_t row = 0; row + 1 < f.rows(); ++row)
+    if (s > f.at(row, 0) && s < f.at(row + 1, 0)) {
+      if (state.effective['L'] != 0)
+        return out.refuse("V = 2: a law of friction between two places along the track");
+      const double share = (s - f.at(row, 0)) / (f.at(row + 1, 0) - f.at(row, 0));
+      add_friction(state, row, out);
+      out.friction += share * (friction_in_adhesion(state, row + 1) - out.friction);
+      if (state.digits['T'] != 0)
+        out.set("motion.friction", out.friction);
+      return;
+    }
+  std::size_t row = 0;
+  while (row + 1 < f.rows() && s >= f.at(row + 1, 0))
+    ++row;
+  add_friction(state, row, out);
+}
+
+void add_friction_of_module_1(const CaseState& state, ContactCase& out) {
+  const Block& f = state[Data::friction];
+  if (state.effective['V'] == 0)
+    return add_friction(state, 0, out);
+  if (state.effective['V'] == 2)
+    return add_friction_at(state, state[Data::position]["S"], out);
+  std::vector<double> places;
+  for (std::size_t row = 0; row < f.rows(); ++row)
+    places.push_back(f.at(row, 0));
+  f.rows() == 1 ? add_friction(state, 0, out) : add_friction_table(state, "inclination", places, out);
+}
+
+void add_elements(const CaseState& state, ContactCase& out) {
+  const Block& g = state[Data::elements];
+  out.set("grid.dx", g["DX"]);
+  out.set("grid.ds", g["DS"]);
+  if (state.effective['D'] != 4)
+    out.leave(fmt::format(
+        "D = {}: a plane at each patch; here the elements follow the surface, and each has its own slip",
+        state.effective['D']));
+  if (g["DQREL"] != 1 && state.digits['T'] == 2)
+    out.refuse(fmt::format("DQREL = {}: a rolling step is dx here", g["DQREL"]));
+  else if (g["DQREL"] != 1 && state.digits['T'] == 3)
+    out.leave(fmt::format("DQREL = {}: steady rolling has steps of dx here", g["DQREL"]));
+}
+
+/// Where the rail lies: by its gauge face, or where CONTACT puts the origin of its file.
+void add_rail_place(const CaseState& state, const ProfileKeys& rail, ContactCase& out) {
+  const Block &t = state[Data::track], &r = state[Data::rail_deviation];
+  const bool by_gauge = t["GAUGHT"] > 0;
+  if (by_gauge && t["GAUGSQ"] > 1)
+    out.refuse(fmt::format("GAUGSQ = {}: the gauge point is the innermost one here", t["GAUGSQ"]));
+  const std::optional<GaugePoint> gauge =
+      by_gauge ? rail.gauge_point(t.number("CANT", 0), t["GAUGHT"], out) : std::nullopt;
+  if (by_gauge && !gauge)
+    return;
+  if (by_gauge && gauge->on_face && !on_roller(state) && (r["ROLL"] == 0 || rail.keeps_origin())) {
+    out.set("position.gauge_height", t["GAUGHT"]);
+    out.set("position.gauge", t["GAUGWD"]);
+    out.set("position.rail_vertical", r["DZ"]);
+    return;
+  }
+  // RAILY0 and RAILZ0 stand in the places of GAUGSQ and GAUGWD. The axle of a roller stays where it is,
+  // whatever DZ.
+  const double side = left(state) ? -1 : 1;
+  const double z = !by_gauge ? t["GAUGWD"] : on_roller(state) ? 0 : -gauge->top;
+  out.set_text("rail.place", "absolute");
+  out.set("rail.y", by_gauge ? t["GAUGWD"] / 2 - gauge->y : side * t["GAUGSQ"]);
+  out.set("rail.z", z + (on_roller(state) ? r["DZ"] : 0));
+  if (!on_roller(state))
+    out.set("position.rail_vertical", r["DZ"]);
+}
+
+void add_track(const CaseState& state, const ProfileKeys& rail, ContactCase& out) {
+  const Block &t = state[Data::track], &r = state[Data::rail_deviation];
+  add_rail_place(state, rail, out);
+  if (on_roller(state))
+    out.set("rail.roller_radius", t["NOMRADR"]);
+  else
+    out.set("position.rail_inclination", t["CANT"]);
+  if (const double curvature = t.number("CURV", 0); curvature != 0) {
+    if (on_roller(state))
+      out.refuse("CURV on a roller rig");
+    out.set("track.curve_radius", 1 / curvature);
+  }
+  out.set("position.rail_lateral", r["DY"]);
+  out.set("position.rail_roll", r["ROLL"]);
+  if (r["VY"] != 0 || r["VZ"] != 0 || r["VROLL"] != 0)
+    out.refuse("VY, VZ, VROLL of the rail: here it stands still");
+}
+
+void add_wheelset(const CaseState& state, ContactCase& out) {
+  const Block& w = state[Data::wheelset];
+  out.set("position.wheel_radius", w["NOMRAD"]);
+  constexpr double no_tape_circle = 999; // mm; from here on YTAPE says that there is none
+  if (const double tape = w.number("YTAPE", 1000); std::abs(tape) < no_tape_circle) {
+    out.set("position.back_to_back", w["FBDIST"]);
+    out.set("wheel.flange_back", w["FBPOS"]);
+    out.set("position.tape_circle", tape - w["FBPOS"]);
+    return;
+  }
+  // CONTACT has the nominal radius at z = 0 of the profile, wherever that lies.
+  out.set_text("wheel.place", "absolute");
+  out.set("wheel.y", w["FBDIST"] / 2 - w["FBPOS"]);
+}
+
+void add_pose(const CaseState& state, ContactCase& out) {
+  const Block& p = state[Data::position];
+  out.set("position.lateral", p["Y"]);
+  out.set("position.roll", p["ROLL"]);
+  out.set("position.yaw", p["YAW"]);
+  if (on_roller(state) && p["S"] != 0)
+    out.refuse(fmt::format("X_WS = {}: a wheel that does not stand on top of its roller", p["S"]));
+  if (state.digits['N'] == 1 && p.has("FZ"))
+    out.set("load.force", p["FZ"]);
+  else if (state.digits['N'] == 0 && p.has("Z"))
+    out.set("position.vertical", p["Z"]);
+  else
+    out.refuse(
+        fmt::format("N = {}: its {} is not given", state.digits['N'], state.digits['N'] == 1 ? "FZ" : "Z"));
+  if (!state.has(Data::wheel_deviation))
+    return;
+  const Block& d = state[Data::wheel_deviation];
+  if (d["DX"] != 0)
+    out.refuse(fmt::format("DX = {} of the wheel: a wheel before or behind its axle", d["DX"]));
+  // There the wheel rolls about the origin of its profile, here about its centre, so far above.
+  const double radius = state[Data::wheelset]["NOMRAD"];
+  out.set("position.wheel_lateral", d["DY"] + radius * std::sin(d["DROLL"]));
+  out.set("position.wheel_vertical", d["DZ"] + radius * (1 - std::cos(d["DROLL"])));
+  out.set("position.wheel_roll", d["DROLL"]);
+  out.set("position.wheel_yaw", d["DYAW"]);
+}
+
+/// T = 1: the velocities are distances and angles of one step.
+void add_shift(const CaseState& state, ContactCase& out) {
+  const Block& v = state[Data::velocity];
+  const bool turns = v.number("VPITCH", 0) != 0 || v["VROLL"] != 0 || v["VYAW"] != 0;
+  if (on_roller(state) || turns || v["VY"] != 0 || v["VZ"] != 0 || v.has("FX"))
+    return out.refuse(
+        "T = 1: a wheelset that turns, or shifts along y or z; a scene has the shift at the contact");
+  out.set("motion.xi", v["VS"]);
+  if (state.has(Data::wheel_deviation)) {
+    const Block& d = state[Data::wheel_deviation];
+    if (std::ranges::any_of(std::initializer_list<const char*>{"VX", "VY", "VZ", "VROLL", "VYAW", "VPITCH"},
+                            [&](const char* name) { return d[name] != 0; }))
+      out.refuse("T = 1: a shift of the wheel in its wheelset");
+  }
+}
+
+/// The wheel of a flexible wheelset. There it turns about the axle of the rigid wheelset, however it is
+/// inclined; here about its own. The difference is a yaw and a roll rate, and a forward velocity where its
+/// centre lies off the axle.
+void add_velocity_of_wheel(const CaseState& state, double pitch_rate, ContactCase& out) {
+  const Block& d = state[Data::wheel_deviation];
+  const double radius = state[Data::wheelset]["NOMRAD"], roll = d["DROLL"], yaw = d["DYAW"];
+  if (state.digits['F'] == 1 && (roll != 0 || yaw != 0 || d["DZ"] != 0))
+    return out.refuse(
+        "F = 1 with DZ, DROLL or DYAW of the wheel: it depends on the pitch rate, which is to be found");
+  const double below = d["DZ"] + radius * (1 - std::cos(roll)); // of the wheel's centre, below the axle
+  out.set("motion.wheel_forward_velocity", d["VX"] - pitch_rate * below);
+  out.set("motion.wheel_lateral_velocity", d["VY"] + radius * std::cos(roll) * d["VROLL"]);
+  out.set("motion.wheel_vertical_velocity", d["VZ"] + radius * std::sin(roll) * d["VROLL"]);
+  out.set("motion.wheel_roll_rate", d["VROLL"] - pitch_rate * std::tan(yaw));
+  out.set("motion.wheel_yaw_rate", d["VYAW"] + pitch_rate * std::tan(roll));
+  out.set("motion.wheel_pitch_rate", -d["VPITCH"] + pitch_rate * (1 / (std::cos(roll) * std::cos(yaw)) - 1));
+}
+
+void add_velocity(const CaseState& state, ContactCase& out) {
+  if (state.digits['T'] == 1)
+    return add_shift(state, out);
+  const Block& v = state[Data::velocity];
+  const double speed = on_roller(state) ? v["RPITCH"] * state[Data::track]["NOMRADR"] : v["VS"];
+  if (on_roller(state))
+    out.set("motion.roller_speed", v["RPITCH"]);
+  if (speed <= 0)
+    return out.refuse(speed < 0 ? "VS below 0: a wheelset that runs backwards"
+                                : "VS = 0: a wheelset that does not roll");
+  out.set("motion.speed", speed);
+  out.set("motion.lateral_velocity", v["VY"]);
+  out.set("motion.vertical_velocity", v["VZ"]);
+  out.set("motion.roll_rate", v["VROLL"]);
+  out.set("motion.yaw_rate", v["VYAW"]);
+  if (v.has("VPITCH") && state.digits['F'] != 1)
+    out.set("motion.pitch_rate",
+            -v["VPITCH"]); // about y, to the right: a wheel that rolls forwards turns the other way
+  else if (v.has("FX") && state.digits['F'] == 1) {
+    out.set("load.force_x", v["FX"]);
+    if (const double yaw = state[Data::position]["YAW"]; yaw != 0)
+      out.refuse(fmt::format(
+          "F = 1 with YAW = {}: FX lies along the axis of the wheelset, load.force_x along the track", yaw));
+  } else
+    out.refuse(fmt::format("F = {}: its {} is not given", state.digits['F'],
+                           state.digits['F'] == 1 ? "FX" : "VPITCH"));
+  if (!state.has(Data::wheel_deviation))
+    return;
+  add_velocity_of_wheel(state, -v.number("VPITCH", 0), out);
+}
+
+/// Keys with their default value say nothing.
+void leave_out_zeros(ContactCase& out) {
+  std::erase_if(out.keys, [](const auto& entry) {
+    const auto& [key, value] = entry;
+    return value == "0" && (key.starts_with("position.") || key.starts_with("motion.")) &&
+           key != "position.vertical";
+  });
+}
+
+} // namespace
+
+void add_wheel_rail_keys(const CaseState& state, const std::filesystem::path& folder, ContactCase& out) {
+  out.set_text("kind", "wheel_rail");
+  out.set_text("position.side", left(state) ? "left" : "right");
+  refuse_digits_of_module_1(state, out);
+  add_common_keys(state, out);
+  add_friction_of_module_1(state, out);
+  const ProfileKeys rail(state[Data::rail_profile], folder, "rail"),
+      wheel(state[Data::wheel_profile], folder, "wheel");
+  rail.add(out);
+  wheel.add(out);
+  if (!out.refused.empty()) // a profile along the track or round the wheel has no height to be read
+    return;
+  add_elements(state, out);
+  add_track(state, rail, out);
+  add_wheelset(state, out);
+  add_pose(state, out);
+  add_velocity(state, out);
+  leave_out_zeros(out);
+}
+
+} // namespace bem_contact::app::from_contact
