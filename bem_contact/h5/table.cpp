@@ -5,13 +5,13 @@
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/h5/entries.hpp"
 #include "bem_contact/h5/handle.hpp"
+#include "bem_contact/h5/hdf5_functions.hpp"
 #include "bem_contact/h5/image.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fcntl.h>
 #include <functional>
-#include <hdf5.h>
 #include <ostream>
 #include <system_error>
 #include <unistd.h>
