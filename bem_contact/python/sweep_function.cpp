@@ -117,7 +117,8 @@ py::list solve_sweep_part(const py::tuple& scene, const py::object& changes, con
 std::vector<SweepCase> solve_sweep_with(const py::object& executor, const SweepFile& sweep,
                                         const py::object& changes, const std::string& model) {
   constexpr std::size_t most_tasks = 1000; // each reads its files again
-  const std::size_t chunk = chunk_size(sweep.size()), chunks = (sweep.size() + chunk - 1) / chunk,
+  const std::size_t chunk = cut_of(sweep, model, *shared_files()).chunk,
+                    chunks = (sweep.size() + chunk - 1) / chunk,
                     size = chunk * ((chunks + most_tasks - 1) / most_tasks);
   py::list tasks;
   for (std::size_t first = 0; first < sweep.size(); first += size)

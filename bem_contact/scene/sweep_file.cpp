@@ -253,6 +253,14 @@ SceneFile SweepFile::scene(std::size_t index) const {
   return parse_scene_file(text, changes(index));
 }
 
+SceneFile SweepScenes::scene(std::size_t index) {
+  if (!reader_)
+    reader_.emplace(sweep_.text);
+  for (const SceneChange& change : sweep_.changes(index))
+    reader_->set(change);
+  return reader_->scene();
+}
+
 std::string SweepFile::describe(std::size_t index) const {
   std::string out;
   for (const SceneChange& change : changes(index))
@@ -362,8 +370,9 @@ void check_values(const SweepFile& sweep, CaseRange cases) {
   }
   if (checked.size() >= many_scenes)
     messages()->info("{} scenes of '{}' are checked before one is solved", checked.size(), sweep.text.source);
+  SweepScenes scenes(sweep);
   for (const std::size_t index : checked)
-    sweep.scene(index);
+    scenes.scene(index);
 }
 
 std::string to_text(const SchemaValue& value) {

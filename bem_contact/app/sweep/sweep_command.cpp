@@ -13,7 +13,6 @@
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/record/file_kinds.hpp"
-#include "bem_contact/sequence/shared_files.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -21,7 +20,6 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <iterator>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -39,9 +37,9 @@ constexpr const char* sweep_help =
     fields = true           # the default up to 1000 cases; false: keep only the totals of each case
 Example, 64 contacts from tread to flange:
     bem_contact sweep data/scenes/cases_halfspace.toml -o sweep.h5 --csv sweep.csv
-You should see the progress, then `64 certified, of 64 cases`. If the program is stopped, call it again: the folder
-sweep.h5.parts holds the finished cases, and only the others are solved. So is a case whose process died, as when memory
-ran out.
+You should see the progress, then `64 certified, of 64 cases`. A sweep of a second or less is solved in one
+process. A longer one is shared among processes; if it is stopped, call it again: the folder sweep.h5.parts holds the
+finished cases, and only the others are solved. So is a case whose process died, as when memory ran out.
 
 On many machines, each solves some of the cases in a process of its own. Join these parts when they are there:
     bem_contact sweep SCENE.toml --count                            # prints how many cases there are
@@ -158,8 +156,8 @@ ExitCode run_part(const SweepRequest& request, SweepFile sweep) {
   check_values(sweep, cases);
   const AskedSweep asked = asked_sweep(request, std::move(sweep));
   Progress progress("cases", cases.size());
-  solve_part(asked, cases, shared_files(), output_target(request.output, OutputForm::whole_file).file,
-             std::numeric_limits<double>::infinity(), [&] { progress.step(); });
+  solve_part(asked, cases, output_target(request.output, OutputForm::whole_file).file,
+             [&] { progress.step(); });
   progress.finish();
   fmt::print("{}", sweep_summary(
                        H5Reader(request.output), cases.size(),
@@ -198,11 +196,26 @@ ExitCode run_join(const SweepRequest& request, SweepFile sweep) {
   return code;
 }
 
+/// A sweep of little work, of which nothing is solved yet, in this process.
+bool is_small(const AskedSweep& asked, const std::string& output) {
+  return !file_exists(output) && !file_exists(parts_folder(output)) && cut_of(asked).little;
+}
+
+ExitCode run_small(const AskedSweep& asked, const SweepRequest& request) {
+  say_what_is_kept(asked.sweep);
+  Progress progress("cases", asked.sweep.size());
+  solve_whole(asked, request.output, [&] { progress.step(); });
+  progress.finish();
+  return say_what_was_found(asked, request, "");
+}
+
 /// All cases that are not solved yet, on this machine.
 ExitCode run_all(const SweepRequest& request, SweepFile sweep) {
   check_outputs(sweep, request, {});
   check_values(sweep);
   const AskedSweep asked = asked_sweep(request, std::move(sweep));
+  if (is_small(asked, request.output))
+    return run_small(asked, request);
   const PartsFolder folder(asked, request.output);
   std::string head;
   if (is_complete(request.output, asked.digest)) {

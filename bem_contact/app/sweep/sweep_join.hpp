@@ -26,4 +26,9 @@ using DiedCases = std::map<std::size_t, std::string>;
 void join(const AskedSweep& asked, const std::vector<SweepPart>& parts, const DiedCases& died,
           const std::filesystem::path& output);
 
+/// Solves all cases in this process and writes the same file, without parts: for a sweep of little work.
+/// `kept` is called after each case.
+void solve_whole(const AskedSweep& asked, const std::filesystem::path& output,
+                 const std::function<void()>& kept);
+
 } // namespace bem_contact::app

@@ -32,33 +32,41 @@ H5Table head_of(const AskedSweep& asked, CaseRange cases) {
 
 } // namespace
 
-CaseRange solve_part(const AskedSweep& asked, CaseRange cases, const std::shared_ptr<SequenceFiles>& files,
-                     const std::filesystem::path& file, double slow_case, const std::function<void()>& kept) {
-  H5Writer writer(file);
+SweepCut cut_of(const AskedSweep& asked) {
+  return bem_contact::cut_of(asked.sweep, asked.model, *asked.files);
+}
+
+void solve_each(const AskedSweep& asked, CaseRange cases,
+                const std::function<void(SweepCase, H5Table)>& kept) {
   H5Table group;
-  std::vector<SweepCase> solved;
   SweepOptions options{
       .model = asked.model, .strict = asked.strict, .displacements = asked.sweep.keeps_fields()};
   if (asked.sweep.keeps_fields())
     options.seen = [&](const std::string& wheel, const SceneResult& result) {
       add_group(group, wheel, record::to_h5(case_record(result)));
     };
-  solve_cases(asked.sweep, cases, options, files, [&](SweepCase one) {
+  solve_cases(asked.sweep, cases, options, asked.files, [&](SweepCase one) {
+    if (!one.reason.empty())
+      group.attributes["reason"] = std::exchange(one.reason, {});
+    kept(std::move(one), std::exchange(group, {}));
+    return true;
+  });
+}
+
+CaseRange solve_part(const AskedSweep& asked, CaseRange cases, const std::filesystem::path& file,
+                     const std::function<void()>& kept) {
+  H5Writer writer(file);
+  std::vector<SweepCase> solved;
+  solve_each(asked, cases, [&](SweepCase one, H5Table group) {
     if (one.status == CaseStatus::died)
       throw std::bad_alloc();
-    if (!one.reason.empty())
-      group.attributes["reason"] = one.reason;
     H5Table members;
     members.checksums = true;
-    add_group(members, group_of_case(one.index) + "/", std::exchange(group, {}));
+    add_group(members, group_of_case(one.index) + "/", group);
     writer.add(members);
-    one.reason.clear();
-    const bool slow = solved.empty() && one.seconds > slow_case;
     solved.push_back(std::move(one));
     kept();
-    return !slow;
   });
-  cases.last = cases.first + solved.size();
   H5Table top = table_of(asked.sweep, asked.columns(), solved);
   add_group(top, "", head_of(asked, cases));
   top.checksums = true;
