@@ -49,10 +49,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// 1. What a rough creepage of free rolling may be off by, over the error of its elements. The error that is
-/// stated holds both. With a tenth the solution on all elements takes a step more, a half of the cost
-/// (tread).
-constexpr double free_creepage_share = 0.3;
+/// 1. What a rough creepage of free rolling may be off by, over its stated error.
+constexpr double free_creepage_share = 0.1;
 
 /// Adhesion or slip: the state whose equation the element fulfils better.
 ElementState friction_state(double slip, double slip_scale, double deviation, double traction_scale) {
@@ -302,9 +300,6 @@ public:
     add_change(&Tractions::ps, result_->ps);
   }
 
-  /// nan where nothing was found.
-  double compliance() const { return result_ ? result_->totals.compliance_x : unknown_error; }
-
   /// Of the creepage that `found` has.
   double error_of(const ContactProblem& problem, const ContactResult& found) {
     if (!result_ || !contact::why_no_companion(problem, found).empty())
@@ -343,16 +338,13 @@ std::optional<Measured> free_creepage(const ContactProblem& problem, const Conta
   }
   // On larger elements tractions count too, for the error is estimated from both.
   options.forces_alone = std::isfinite(known);
-  auto rough = rough_result(problem, start, options, operators, work);
+  const auto rough = rough_result(problem, start, options, operators, work);
   if (!rough)
     return std::nullopt;
-  double& compliance = rough->totals.compliance_x;
-  if (options.forces_alone && on_larger)
-    compliance = on_larger->compliance();
-  const double left = std::isfinite(compliance) ? -compliance * rough->totals.Fx : 0;
+  const double left =
+      std::isfinite(rough->totals.compliance_x) ? -rough->totals.compliance_x * rough->totals.Fx : 0;
   return Measured{rough->totals.creepage_x + left,
-                  on_larger ? (1 + free_creepage_share) * on_larger->error_of(problem, *rough)
-                            : unknown_error};
+                  on_larger ? on_larger->error_of(problem, *rough) : unknown_error};
 }
 
 ContactResult solve(const ContactProblem& problem, const SolverOptions& options) {

@@ -71,8 +71,7 @@ ContactResult solve(const ContactProblem& problem, const SolverOptions& options,
 /// counted as ContactTotals::creepage_x: it is added to the problem's rigid slip. `near` is the certified
 /// solution of nearly the same problem: with other tractions alone, as a prescribed creepage `creepage`
 /// (counted alike) leaves them. Newton's method begins there, and it ends where what is left of the force is
-/// worth less than a quarter of the stated error, which holds that as well. The error is from larger elements,
-/// as that of a precise solution is.
+/// worth a tenth of the stated error. That error is from larger elements, as that of a precise solution is.
 /// Nothing is certified: what no method finds at once is nothing here, and a whole solution may find it.
 /// Throws as solve() does.
 std::optional<Measured> free_creepage(const ContactProblem& problem, const ContactResult& near,

@@ -45,7 +45,7 @@ struct SolverOptions {
   const StartingPoint* start = nullptr;
   const NearSolution* near = nullptr; ///< in place of `start`
   /// Creepages of prescribed forces are all that is asked for. Tractions are precise enough where what their
-  /// equations miss adds up to no more force than may be missing, and no compliance is found.
+  /// equations miss adds up to no more force than may be missing.
   bool forces_alone = false;
   /// Go on from the factors and directions that the last solution left in the workspace. The result then
   /// depends on that one, as it does on `start`, within the certificate.

@@ -246,8 +246,6 @@ std::optional<ForcedCreepage> newton_for_forces(const TangentialSystem& system,
     const double inexact = options.forces_alone ? method.missing_in_elements() / forces.tolerance
                                                 : state.violation / options.tolerance;
     state.converged = std::max(inexact, missing) <= 1;
-    if (state.converged && options.forces_alone)
-      return found;
     if (state.converged) {
       const VectorXd compliances = method.compliances(state);
       for (std::size_t k = 0; k < forces.components.size(); ++k)

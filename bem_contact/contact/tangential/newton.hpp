@@ -26,7 +26,7 @@ struct PrescribedForces {
 };
 
 /// Creepages along x and s, and what a unit of the force along x or s changes of each: 1/N (shift: mm/N).
-/// nan: the creepage is given, no force depends on it, or it is not asked for (SolverOptions::forces_alone).
+/// nan: the creepage is given, or no force depends on it.
 struct ForcedCreepage {
   Eigen::Vector2d creepage;
   Eigen::Vector2d compliance = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
