@@ -35,9 +35,8 @@ public:
   virtual void stop() = 0;
 };
 
-/// Opens the port; 0: any that is free. Throws InputError if it is taken, and Error where the library is
-/// missing that does it. The library is loaded here: it brings six others, and every command would load them
-/// at its start (6.5 million instructions).
+/// Opens the port; 0: any that is free. Throws InputError if it is taken, and what LoadedLibrary does: what
+/// serves is a library that is opened here.
 std::unique_ptr<Server> open_server(std::vector<Route> routes, std::string page, int port);
 
 /// What that library gives: a Server that the caller owns.

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bem_contact/h5/handle.hpp"
+#include "bem_contact/h5/hdf5_functions.hpp"
 
-#include <hdf5.h>
 #include <optional>
 #include <string>
 #include <type_traits>

@@ -1,13 +1,13 @@
 #include "bem_contact/h5/dataset.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/h5/hdf5_functions.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <fmt/format.h>
 #include <functional>
-#include <hdf5.h>
 #include <numeric>
 #include <span>
 #include <vector>

@@ -1,6 +1,7 @@
 #include "bem_contact/h5/handle.hpp"
 
-#include <hdf5.h>
+#include "bem_contact/h5/hdf5_functions.hpp"
+
 #include <type_traits>
 
 namespace bem_contact {

@@ -1,10 +1,10 @@
 #include "bem_contact/h5/image.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/h5/hdf5_functions.hpp"
 
 #include <cstdint>
 #include <cstring>
-#include <hdf5.h>
 #include <ostream>
 
 namespace bem_contact {

@@ -6,6 +6,7 @@
 #include "bem_contact/h5/dataset.hpp"
 #include "bem_contact/h5/entries.hpp"
 #include "bem_contact/h5/handle.hpp"
+#include "bem_contact/h5/hdf5_functions.hpp"
 #include "bem_contact/h5/image.hpp"
 
 #include <algorithm>
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <fcntl.h>
 #include <functional>
-#include <hdf5.h>
 #include <ostream>
 #include <system_error>
 #include <unistd.h>

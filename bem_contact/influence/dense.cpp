@@ -1,5 +1,7 @@
 #include "bem_contact/influence/dense.hpp"
 
+#include "bem_contact/base/loaded_library.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -33,6 +35,18 @@ namespace bem_contact {
 
 namespace {
 
+constexpr LoadedLibrary blas(CONFORMAL_OPENBLAS_LIBRARY);
+BEM_CONTACT_LOADED_FUNCTION(blas, openblas_set_num_threads)
+BEM_CONTACT_LOADED_FUNCTION(blas, openblas_get_num_threads)
+BEM_CONTACT_LOADED_FUNCTION(blas, dpotrf_)
+BEM_CONTACT_LOADED_FUNCTION(blas, dtrsv_)
+BEM_CONTACT_LOADED_FUNCTION(blas, dtrsm_)
+BEM_CONTACT_LOADED_FUNCTION(blas, sgetrf_)
+BEM_CONTACT_LOADED_FUNCTION(blas, strsm_)
+BEM_CONTACT_LOADED_FUNCTION(blas, sgemv_)
+BEM_CONTACT_LOADED_FUNCTION(blas, dgemv_)
+BEM_CONTACT_LOADED_FUNCTION(blas, dgemm_)
+
 /// Bytes of memory that OpenBLAS takes for each call that runs beside others, and keeps. Where the system
 /// gives none it asks again and again, for ever.
 constexpr std::size_t blas_buffer = 128 << 20;
@@ -56,11 +70,12 @@ public:
   /// `numbers` are copied at most, where a call has one column alone.
   explicit OneThread(int numbers = largest_without_buffer) {
     const std::lock_guard lock(mutex);
-    if (numbers >= largest_without_buffer && callers >= buffers) {
-      if (!is_there_memory_for_a_buffer())
-        throw std::bad_alloc();
+    const bool takes_buffer = numbers >= largest_without_buffer && callers >= buffers;
+    if ((takes_buffer || !is_open) && !is_there_memory_for_a_buffer()) // where it is opened it takes one, too
+      throw std::bad_alloc();
+    is_open = true;
+    if (takes_buffer)
       buffers = callers + 1;
-    }
     if (callers++ == 0) {
       before = openblas_get_num_threads();
       if (before != 1) // it does not look itself
@@ -77,6 +92,7 @@ public:
 
 private:
   inline static std::mutex mutex;
+  inline static bool is_open = false;
   inline static int callers = 0, before = 1;
   inline static int buffers = 0; ///< that OpenBLAS has, at least: the most callers so far
 };

@@ -38,8 +38,8 @@ class BuildWithCMake(build_py):
             for file in (*installed.glob("_core*.so"), installed / "_numbers.pyi"):
                 shutil.copy2(file, package)
             shutil.copy2(installed / "plotting" / "words.json", package / "plotting")
-            # By the names under which they are loaded, libbem_contact_h5.so.MAJOR.MINOR.
-            libraries = [min(prefix.glob(f"lib/**/libbem_contact_{name}.so.*"), key=lambda file: len(file.name)) for name in ("h5", "http")]
+            # By the names under which they are opened, libbem_contact_hdf5.so.MAJOR.MINOR.
+            libraries = [file for file in prefix.glob("lib/**/libbem_contact_*.so.*") if re.search(r"\.so\.\d+\.\d+$", file.name)]
             for name, file in (*(("lib", library) for library in libraries), ("bin", prefix / "bin" / "bem_contact")):
                 (package / name).mkdir(exist_ok=True)
                 shutil.copy2(file, package / name)

@@ -183,7 +183,7 @@ void write_sweep_part(const py::tuple& scene, const py::object& changes, const s
     return;
   stoppable([=](const std::atomic<bool>* stop) {
     solve_part(
-        asked, {first, last}, shared_files(), file, std::numeric_limits<double>::infinity(), [] {}, stop);
+        asked, {first, last}, file, [] {}, stop);
     return true;
   });
 }
@@ -196,9 +196,10 @@ struct SharedSweep {
   std::string output; ///< folder; "": none
 
   /// Tasks of whole chunks, so that what is found is what one process finds.
-  std::vector<CaseRange> tasks(std::size_t cases) const {
+  std::vector<CaseRange> tasks(const SweepFile& sweep) const {
     constexpr std::size_t most_tasks = 1000; // each reads its files again
-    const std::size_t chunk = chunk_size(cases), chunks = (cases + chunk - 1) / chunk,
+    const std::size_t cases = sweep.size(), chunk = cut_of(sweep, model, *shared_files()).chunk,
+                      chunks = (cases + chunk - 1) / chunk,
                       size = chunk * ((chunks + most_tasks - 1) / most_tasks);
     std::vector<CaseRange> out;
     for (std::size_t first = 0; first < cases; first += size)
@@ -215,7 +216,7 @@ struct SharedSweep {
 };
 
 AllSweepRows solve_sweep_with(const SweepFile& sweep, const SharedSweep& how) {
-  const std::vector<CaseRange> ranges = how.tasks(sweep.size());
+  const std::vector<CaseRange> ranges = how.tasks(sweep);
   const bool files = !how.output.empty();
   if (files)
     make_folder(how.output);

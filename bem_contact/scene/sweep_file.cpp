@@ -273,15 +273,7 @@ std::vector<SceneChange> SweepFile::changes(std::size_t index) const {
 }
 
 SceneFile SweepFile::scene(std::size_t index) const {
-  SceneReader reader(text);
-  for (const SceneChange& change : changes(index))
-    reader.set(change);
-  std::vector<std::string> swept;
-  for (const Axis& axis : axes)
-    if (axis.values.size() > 1)
-      swept.push_back(axis.key);
-  reader.require_effect(swept);
-  return reader.scene();
+  return SweepScenes(*this).scene(index);
 }
 
 SceneFile SweepFile::first_scene() const {
@@ -293,6 +285,19 @@ SceneFile SweepFile::first_scene() const {
     } catch (const InputError&) { // another line may be one
     }
   return scene(0);
+}
+
+SceneFile SweepScenes::scene(std::size_t index) {
+  if (!reader_)
+    reader_.emplace(sweep_.text);
+  for (const SceneChange& change : sweep_.changes(index))
+    reader_->set(change);
+  std::vector<std::string> swept;
+  for (const SweepFile::Axis& axis : sweep_.axes)
+    if (axis.values.size() > 1)
+      swept.push_back(axis.key);
+  reader_->require_effect(swept);
+  return reader_->scene();
 }
 
 std::string SweepFile::describe(std::size_t index) const {
@@ -410,19 +415,21 @@ std::set<std::size_t> cases_to_check(const SweepFile& sweep, CaseRange cases) {
 } // namespace
 
 void check_values(const SweepFile& sweep, CaseRange cases) {
+  SweepScenes scenes(sweep);
   for (const std::size_t index : cases_to_check(sweep, cases))
-    sweep.scene(index);
+    scenes.scene(index);
 }
 
 void check_cases(const SweepFile& sweep, CaseRange cases) {
   if (std::ranges::all_of(sweep.axes, &std::string::empty, &SweepFile::Axis::table))
     return check_values(sweep, cases);
   sweep.first_scene(); // throws where there is none
+  SweepScenes scenes(sweep);
   std::size_t refused = 0;
   std::string why;
   for (const std::size_t index : cases_to_check(sweep, cases))
     try {
-      sweep.scene(index);
+      scenes.scene(index);
     } catch (const InputError& error) {
       if (refused++ == 0)
         why = error.what();

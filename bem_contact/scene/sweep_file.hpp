@@ -2,6 +2,7 @@
 
 #include "bem_contact/scene/case_table.hpp"
 #include "bem_contact/scene/scene_file.hpp"
+#include "bem_contact/scene/scene_reader.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -79,6 +80,18 @@ struct SweepFile {
   SceneFile first_scene() const;
   /// "position.lateral = 6.2, load.force = 50000"
   std::string describe(std::size_t index) const;
+};
+
+/// The scenes of a sweep, one after the other: the text is read once, and each case sets its keys.
+class SweepScenes {
+public:
+  explicit SweepScenes(const SweepFile& sweep) : sweep_(sweep) {} ///< which outlives this
+  /// As SweepFile::scene().
+  SceneFile scene(std::size_t index);
+
+private:
+  const SweepFile& sweep_;
+  std::optional<SceneReader> reader_;
 };
 
 /// Says whether a scene has a table [sweep], or the other one that has lists (parse_sweep_file()).

@@ -18,6 +18,18 @@ BEM_CONTACT_TUNED(int, most_solves, 4);
 /// accuracy asked for: its estimated errors are then those of the precise one but for a few percent.
 BEM_CONTACT_TUNED(double, rough_share, 0.1);
 
+// Work that is foreseen (foreseen_work.hpp).
+
+/// 1. Products with influence numbers that a solution takes, or what costs as much, over the elements of its
+/// plan: 100 to 300 in the scenes of tools/benchmarks/speed.
+BEM_CONTACT_TUNED(double, products_of_case, 200);
+/// Units of work. What a case takes however few elements it has: bodies are placed, and a result is made.
+BEM_CONTACT_TUNED(double, least_work_of_case, 2e5);
+/// 1. Solutions until a wheel bears a lateral force, and until both wheels of a wheelset are in equilibrium:
+/// typical numbers.
+BEM_CONTACT_TUNED(double, solutions_of_lateral_force, 6);
+BEM_CONTACT_TUNED(double, solutions_of_wheelset, 20);
+
 // Comparison of models.
 
 /// 1. Creepages beyond free rolling at which longitudinal forces are compared: a driven wheel's on a good

@@ -2,7 +2,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/said_by.hpp"
 #include "bem_contact/h5/table.hpp"
-#include "bem_contact/sequence/shared_files.hpp"
 #include "bem_contact/uses/sweep/sweep_inputs.hpp"
 #include "tests/app/run_program.hpp"
 
@@ -30,6 +29,9 @@ const std::string patch =
     "[gap]\na = 1e-3\nb = 1e-3\n[sweep]\n";
 const std::string cases =
     patch + "load.force = [4e3, 5e3, 6e3, 7e3]\nmotion.xi = { from = 0, to = 2e-3, count = 5 }\n";
+/// The same on a plan of so many elements that processes share them.
+const std::string long_cases =
+    std::string(cases).replace(cases.find("mx = 16\nms = 16"), 15, "mx = 100\nms = 100");
 
 class Sweep : public ProgramTest {
 protected:
@@ -170,10 +172,11 @@ TEST_F(Sweep, EachCaseIsWhatSolveSaysOfIt) {
 }
 
 TEST_F(Sweep, ResultsDoNotDependOnTheNumberOfProcesses) {
-  ASSERT_EQ(sweep(cases, "--jobs 1").code, 0);
+  ASSERT_FALSE(cut_of(asked(long_cases)).little);
+  ASSERT_EQ(sweep(long_cases, "--jobs 1").code, 0);
   const H5Table one = found(out());
   fs::remove(out());
-  ASSERT_EQ(sweep(cases, "--jobs 5").code, 0);
+  ASSERT_EQ(sweep(long_cases, "--jobs 5").code, 0);
   expect_equal(one, found(out()));
 }
 
@@ -186,7 +189,7 @@ std::size_t files_in(const fs::path& folder) {
 }
 
 TEST_F(Sweep, KilledItGoesOnAndSolvesNothingTwice) {
-  ASSERT_EQ(sweep(cases).code, 0);
+  ASSERT_EQ(sweep(long_cases).code, 0);
   const H5Table whole = found(out());
   fs::remove(out());
 
@@ -277,7 +280,7 @@ TEST_F(Sweep, AnEmptyFileOfACrashIsSolvedAgain) {
   const H5Table whole = found(out());
   fs::remove(out());
   fs::create_directory(parts());
-  for (const char* name : {"000004.h5", "000004.h5.tmp1", "size"})
+  for (const char* name : {"000004.h5", "000004.h5.tmp1"})
     std::ofstream(parts() / name) << "";
   const Outcome again = sweep(cases);
   EXPECT_EQ(again.code, 0) << again.err;
@@ -338,24 +341,26 @@ TEST_F(Sweep, WhatAProcessCannotDoEndsTheSweep) {
   EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("Full (three) Make room."));
 }
 
-/// Where the first case of a part takes so long that it is the only one.
-TEST_F(Sweep, SlowCasesArePartsOfTheirOwn) {
-  ASSERT_EQ(sweep(cases).code, 0);
-  const H5Table whole = found(out());
-  const AskedSweep here = asked(cases);
-  fs::remove(out());
-  const app::PartsFolder folder(here, out());
-  const auto solve = [&](CaseRange part, const fs::path& file) {
-    EXPECT_EQ(solve_part(here, part, shared_files(), file, 0, [] {}).size(), 1U);
-  };
-  EXPECT_TRUE(app::solve_on_cores(folder, 2, solve).died.empty());
-  EXPECT_EQ(folder.parts().size(), 20U);
-  EXPECT_EQ(folder.size(), 1U);
-  join(here, folder.parts(), {}, out());
-  folder.clear(folder.parts());
-  for (const char* name : {"Fx", "Fz", "pmax"})
-    for (std::size_t i = 0; i < 20; ++i)
-      EXPECT_NEAR(read_h5(out()).datasets.at(name).values[i], whole.datasets.at(name).values[i], 1e-5 * 7e3);
+/// By the work that is foreseen: neither a clock nor the number of processes changes what is found.
+TEST(SweepCuts, FollowWork) {
+  EXPECT_EQ(cut_of(21, 4e5).chunk, 21U);
+  EXPECT_TRUE(cut_of(21, 4e5).little);
+  EXPECT_EQ(cut_of(640, 4e5).chunk, chunk_size(640));
+  EXPECT_FALSE(cut_of(640, 4e5).little);
+  EXPECT_EQ(cut_of(3, 1e8).chunk, chunk_size(3));
+  EXPECT_EQ(cut_of(100, 1e10).chunk, 1U);
+}
+
+/// As solve does; so no part is written, and none has to be joined.
+TEST_F(Sweep, OfLittleWorkIsSolvedInOneProcess) {
+  ASSERT_TRUE(cut_of(asked(cases)).little);
+  ASSERT_EQ(sweep(cases, "--jobs 3").code, 0);
+  const H5Table here = found(out());
+  const fs::path whole = folder_ / "whole.h5";
+  fs::rename(out(), whole);
+  ASSERT_EQ(part(cases, "0:20", "p.h5").code, 0);
+  ASSERT_EQ(sweep(cases, "--join '" + (folder_ / "p.h5").string() + "'").code, 0);
+  expect_equal(here, found(out()));
 }
 
 /// What others have in the folder is neither read nor removed.

@@ -625,7 +625,7 @@ class Interrupted(Hostile):
         run = subprocess.Popen([doors.PROGRAM, "sweep", scene, "-o", output, "--jobs", "1"], stdout=subprocess.DEVNULL,
                                stderr=subprocess.PIPE, text=True)
         parts = Path(f"{output}.parts")
-        while run.poll() is None and not (parts / "size").exists():  # written when the first part is there
+        while run.poll() is None and not [*parts.glob("0*.h5")]:  # the first part is there
             time.sleep(0.01)
         time.sleep(0.1)
         run.send_signal(signal.SIGINT)

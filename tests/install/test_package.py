@@ -26,7 +26,7 @@ class Package(unittest.TestCase):
     def test_it_has_program_library_headers_module_data_and_pages(self):
         files = {line.split(maxsplit=5)[5].split(" -> ")[0] for line in run("dpkg-deb", "-c", self.package).splitlines()}
         for wanted in ("bin/bem_contact", "lib/libconformal_contact.so", f"lib/libconformal_contact.so.{VERSION}",
-                       "lib/libbem_contact_h5.so", f"lib/libbem_contact_h5.so.{VERSION}", "lib/libbem_contact_sequence.a", "include/conformal_contact.h",
+                       *(f"lib/libbem_contact_{name}.so.{VERSION}" for name in ("hdf5", "openblas", "crypto", "http")), "lib/libbem_contact_sequence.a", "include/conformal_contact.h",
                        "include/bem_contact/sequence/sequence.hpp", "lib/pkgconfig/conformal_contact.pc",
                        "lib/cmake/conformal_contact/conformal_contact-config.cmake",
                        "lib/python3/dist-packages/bem_contact/__init__.py", "share/man/man1/bem_contact-solve.1",
@@ -44,7 +44,7 @@ class Package(unittest.TestCase):
         self.assertEqual(field("Package"), "conformal-contact")
         self.assertEqual(field("Version"), VERSION)
         needed = field("Depends")
-        for library in ("libhdf5-", "libopenblas0", "libfftw3-double3", "libfmt", "python3-numpy"):
+        for library in ("libhdf5-", "libopenblas0", "libssl3", "libfftw3-double3", "libfmt", "python3-numpy"):
             self.assertIn(library, needed)
 
 

@@ -16,9 +16,9 @@ pkg_check_modules(CPP_HTTPLIB REQUIRED IMPORTED_TARGET cpp-httplib)
 
 # Only bem_contact/h5 sees HDF5. It is the serial library in every build: deal.II brings the
 # OpenMPI one, and Debian gives the two different symbol versions, so that both may live in one
-# process as long as the room is linked as a shared library of its own.
-# zlib comes with it.
-pkg_check_modules(HDF5_SERIAL REQUIRED IMPORTED_TARGET hdf5-serial zlib)
+# process, because nothing is linked with both.
+pkg_check_modules(HDF5_SERIAL REQUIRED IMPORTED_TARGET hdf5-serial)
+pkg_check_modules(ZLIB REQUIRED IMPORTED_TARGET zlib)
 
 find_file(TOMLPLUSPLUS_HEADER toml++/toml.h)
 if(NOT TOMLPLUSPLUS_HEADER)

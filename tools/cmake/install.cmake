@@ -52,7 +52,7 @@ install(TARGETS conformal_contact EXPORT conformal_contact_shared
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(TARGETS bem_contact_http LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_SKIP) # loaded by the program alone
-install(TARGETS conformal_options bem_contact_h5 ${conformal_library_rooms}
+install(TARGETS conformal_options ${conformal_library_rooms}
   EXPORT conformal_contact_static
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

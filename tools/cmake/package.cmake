@@ -13,8 +13,8 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
-# What the programs link is found by dpkg-shlibdeps; libbem_contact_h5.so is our own. cpack looks for it where it is
-# staged.
+# What programs and libraries link is found by dpkg-shlibdeps: also what is opened later, since a library of ours needs it
+# (conformal_opened_library()).
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
@@ -31,7 +31,7 @@ set(CPACK_DEBIAN_PACKAGE_DEPENDS
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-h5py, python3-matplotlib")
 # With the component `static` of find_package the libraries that ours are built with are linked again.
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-  "cmake, pkg-config, libeigen3-dev, libfmt-dev, libspdlog-dev, libboost-dev, libssl-dev, libfftw3-dev, libopenblas-pthread-dev, libhdf5-dev")
+  "cmake, pkg-config, libeigen3-dev, libfmt-dev, libspdlog-dev, libboost-dev, libfftw3-dev, zlib1g-dev")
 # Python compiles modules where they are imported; what it wrote goes with the package.
 set(scripts ${PROJECT_BINARY_DIR}/debian)
 file(WRITE ${scripts}/postinst "#!/bin/sh\nset -e\nif [ \"$1\" = configure ]; then py3compile -p conformal-contact; fi\n")

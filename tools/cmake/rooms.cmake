@@ -1,9 +1,8 @@
 # One CMake target a room. Every room is compiled with the project's root as its only include
 # directory, so an include line names its room: #include "bem_contact/base/error.hpp".
 
-# What is installed for C++ callers, from the bottom to the top. The room `h5`, which reads HDF5, stays a shared
-# library of its own.
-set(conformal_library_rooms base record profile influence halfspace reference contact geometry scene sequence uses_conicity uses_curves
+# What is installed for C++ callers, from the bottom to the top.
+set(conformal_library_rooms base h5 record profile influence halfspace reference contact geometry scene sequence uses_conicity uses_curves
     uses_table uses_wear uses_fatigue uses_wheelset uses_sweep c)
 list(TRANSFORM conformal_library_rooms PREPEND bem_contact_)
 
@@ -50,6 +49,21 @@ function(conformal_room target)
   endif()
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(${target} PUBLIC conformal_options ${ARG_ROOMS} PRIVATE ${ARG_LIBRARIES})
+endfunction()
+
+# conformal_opened_library(<room> <NAME> <library>): the room opens <library> with the first call of one of its functions
+# (base/loaded_library.hpp). What it opens is a library of ours, CONFORMAL_<NAME>_LIBRARY, which holds nothing and needs
+# <library>: so it is found where ours are, packages depend on <library>, and no source knows its version.
+function(conformal_opened_library room name library)
+  string(TOLOWER bem_contact_${name} target)
+  file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/empty.c "")
+  add_library(${target} SHARED ${CMAKE_CURRENT_BINARY_DIR}/empty.c)
+  set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${CONFORMAL_SOVERSION})
+  target_link_options(${target} PRIVATE -Wl,--no-as-needed)
+  target_link_libraries(${target} PRIVATE ${library})
+  target_compile_definitions(${room} PRIVATE CONFORMAL_${name}_LIBRARY="$<TARGET_SONAME_FILE_NAME:${target}>")
+  add_dependencies(${room} ${target})
+  install(TARGETS ${target} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_SKIP)
 endfunction()
 
 # conformal_embed(<variable> <prefix> FILE...): files become part of a room. <variable> is a source for it: FILE's bytes,

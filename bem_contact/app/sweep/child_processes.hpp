@@ -4,7 +4,6 @@
 
 #include <sys/types.h>
 
-#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -17,10 +16,9 @@ std::size_t processes_of(int jobs);
 
 /// How a child process has ended.
 struct EndOfChild {
-  CaseRange cases;    ///< that it was to solve
-  int code = -1;      ///< what `work` returned; -1: a signal has ended it
-  std::string how;    ///< "was ended by signal 9 (Killed)"
-  double seconds = 0; ///< wall clock
+  CaseRange cases; ///< that it was to solve
+  int code = -1;   ///< what `work` returned; -1: a signal has ended it
+  std::string how; ///< "was ended by signal 9 (Killed)"
 };
 
 /// Processes that solve cases side by side. We use processes, not threads, because FFTW's planner and HDF5
@@ -40,12 +38,7 @@ public:
   EndOfChild wait();
 
 private:
-  using Clock = std::chrono::steady_clock;
-  struct Started {
-    CaseRange cases;
-    Clock::time_point at;
-  };
-  std::map<pid_t, Started> started_;
+  std::map<pid_t, CaseRange> started_;
 };
 
 } // namespace bem_contact::app

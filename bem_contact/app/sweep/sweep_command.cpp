@@ -22,7 +22,6 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <iterator>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -40,9 +39,9 @@ constexpr const char* sweep_help =
     fields = true           # the default up to 1000 cases; false: keep only the totals of each case
 Example, 64 contacts from tread to flange:
     bem_contact sweep data/scenes/cases_halfspace.toml -o sweep.h5 --csv sweep.csv
-You should see the progress, then `64 certified, of 64 cases`. If the program is stopped, call it again: the folder
-sweep.h5.parts holds the finished cases, and only the others are solved. So is a case whose process died, as when memory
-ran out.
+You should see the progress, then `64 certified, of 64 cases`. A sweep of a second or less is solved in one
+process. A longer one is shared among processes; if it is stopped, call it again: the folder sweep.h5.parts holds the
+finished cases, and only the others are solved. So is a case whose process died, as when memory ran out.
 
 On many machines, each solves some of the cases in a process of its own. Join these parts when they are there:
     bem_contact sweep SCENE.toml --count                            # prints how many cases there are
@@ -164,8 +163,8 @@ ExitCode run_part(const SweepRequest& request, SweepFile sweep) {
   check_cases(sweep, cases);
   const AskedSweep asked = asked_sweep(request, std::move(sweep));
   Progress progress("cases", cases.size());
-  solve_part(asked, cases, shared_files(), output_target(request.output, OutputForm::whole_file).file,
-             std::numeric_limits<double>::infinity(), [&] { progress.step(); });
+  solve_part(asked, cases, output_target(request.output, OutputForm::whole_file).file,
+             [&] { progress.step(); });
   progress.finish();
   print_out("{}", sweep_summary(
                       H5Reader(request.output), cases.size(),
@@ -235,8 +234,21 @@ ExitCode print_damaged(const SweepRequest& request, SweepFile sweep) {
   const std::vector<std::filesystem::path> names(request.parts.begin(), request.parts.end());
   const AskedSweep asked = asked_sweep(request, std::move(sweep));
   for (const std::filesystem::path& file : find_parts(asked, names, PartCheck::all).damaged)
-    fmt::print("{}\n", file.string());
+    print_out("{}\n", file.string());
   return success;
+}
+
+/// A sweep of little work, of which nothing is solved yet, in this process.
+bool is_small(const AskedSweep& asked, const std::string& output) {
+  return !file_exists(output) && !file_exists(parts_folder(output)) && cut_of(asked).little;
+}
+
+ExitCode run_small(const AskedSweep& asked, const SweepRequest& request) {
+  say_what_is_kept(asked.sweep);
+  Progress progress("cases", asked.sweep.size());
+  solve_whole(asked, request.output, [&] { progress.step(); });
+  progress.finish();
+  return say_what_was_found(asked, request, "");
 }
 
 /// All cases that are not solved yet, on this machine.
@@ -244,6 +256,8 @@ ExitCode run_all(const SweepRequest& request, SweepFile sweep) {
   check_outputs(sweep, request, {});
   check_cases(sweep, sweep.all());
   const AskedSweep asked = asked_sweep(request, std::move(sweep));
+  if (is_small(asked, request.output))
+    return run_small(asked, request);
   const PartsFolder folder(asked, request.output);
   std::string head;
   if (is_complete(request.output, asked)) {

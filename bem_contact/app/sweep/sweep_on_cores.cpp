@@ -9,13 +9,11 @@
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/said_by.hpp"
-#include "bem_contact/sequence/shared_files.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <deque>
 #include <fmt/format.h>
-#include <fstream>
 #include <new>
 #include <numeric>
 #include <ostream>
@@ -31,8 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* lock_name = "lock";
-constexpr const char* size_name = "size"; ///< of the file that says how many cases a part has
-constexpr int out_of_memory = 64;         ///< exit code of a child; none of ExitCode
+constexpr int out_of_memory = 64; ///< exit code of a child; none of ExitCode
 
 /// Whether a file of the folder has a name of ours: "000012.h5".
 bool is_numbered(const fs::path& file) {
@@ -82,15 +79,14 @@ std::vector<std::size_t> scrambled(std::size_t count) {
   return order;
 }
 
-/// Here, so that messages about them come once and not from each process.
-std::shared_ptr<SequenceFiles> files_of_first_case(const AskedSweep& asked) {
-  const auto files = shared_files(); // each child fills its own copy
-  try {
-    if (const SceneFile first = asked.sweep.first_scene(); first.kind == SceneKind::wheel_rail)
-      read_profiles(first, *files);
-  } catch (const InputError&) { // the cases say it
-  }
-  return files;
+/// Cases of a part. Many parts keep all processes busy to the end, and short ones cost more than they save.
+std::size_t part_size(const SweepCut& cut, std::size_t cases, std::size_t jobs) {
+  const double work = std::max(cut.case_work, 1.0) * double(cut.chunk),
+               all = double(cases) / double(cut.chunk), of_a_process = all / double(jobs);
+  const double balanced = jobs > 1 ? of_a_process / double(parts_of_a_process) : all,
+               worthwhile = std::min(least_part_work / work, of_a_process),
+               chunks = std::min(part_work / work, std::max(balanced, worthwhile));
+  return cut.chunk * std::max<std::size_t>(1, std::lround(chunks));
 }
 
 /// In a child: says what is wrong, because nobody else can.
@@ -113,7 +109,7 @@ class Run {
 public:
   Run(const PartsFolder& folder, int jobs, const PartSolver& solver)
       : folder_(folder), jobs_(processes_of(jobs)), taken_(folder.asked().sweep.size(), false),
-        part_size_(std::min(folder.size(), taken_.size())), solver_(solver) {
+        part_size_(part_size(cut_of(folder.asked()), taken_.size(), jobs_)), solver_(solver) {
     for (const SweepPart& part : folder_.parts())
       take(part.cases);
   }
@@ -142,8 +138,6 @@ private:
       const std::size_t more = close(children.wait());
       progress.step(more);
       note.done(done += more, open);
-      if (orders_.empty() && (part_size_ > 0 || children.size() == 0))
-        plan();
     }
     if (out_.code == 0)
       progress.finish();
@@ -158,35 +152,27 @@ private:
               taken_.begin() + static_cast<std::ptrdiff_t>(cases.last), true);
   }
 
-  /// Orders parts that nobody has taken. Where their size is not known yet, one chunk for each process.
+  /// Orders parts of all cases that nobody has taken.
   void plan() {
-    const std::size_t cases = taken_.size(), chunk = chunk_size(cases),
-                      size = part_size_ > 0 ? part_size_ : chunk;
-    for (const std::size_t number : scrambled((cases + size - 1) / size)) {
-      const std::size_t last = std::min(cases, (number + 1) * size);
-      for (std::size_t i = number * size; i < last; ++i) {
+    const std::size_t cases = taken_.size();
+    for (const std::size_t number : scrambled((cases + part_size_ - 1) / part_size_)) {
+      const std::size_t last = std::min(cases, (number + 1) * part_size_);
+      for (std::size_t i = number * part_size_; i < last; ++i) {
         if (taken_[i])
           continue;
         CaseRange run{i, i};
         while (run.last < last && !taken_[run.last])
           ++run.last;
-        take(run);
         orders_.push_back(run);
         i = run.last;
-        if (part_size_ == 0 && orders_.size() >= jobs_)
-          return;
       }
     }
   }
 
   /// How many cases are done with it.
   std::size_t close(const EndOfChild& end) {
-    if (end.code == success) {
-      const CaseRange solved = cases_in_part(folder_.asked(), folder_.file(end.cases.first));
-      choose_size(end, solved.size());
-      order_singly({solved.last, end.cases.last});
-      return solved.size();
-    }
+    if (end.code == success)
+      return cases_in_part(folder_.asked(), folder_.file(end.cases.first)).size();
     if (end.code == unforeseen || end.code == wrong_input) {
       out_.code = end.code;
       return 0;
@@ -204,24 +190,10 @@ private:
       orders_.push_front({i - 1, i});
   }
 
-  void choose_size(const EndOfChild& end, std::size_t solved) {
-    if (part_size_ > 0)
-      return;
-    const std::size_t chunk = chunk_size(taken_.size());
-    const double seconds = std::max(end.seconds, 1e-3) / double(solved) * double(chunk), // of a chunk
-        all = double(taken_.size()) / double(chunk), of_a_process = all / double(jobs_);
-    // Many parts keep all processes busy to the end, and short ones cost more than they save.
-    const double balanced = jobs_ > 1 ? of_a_process / double(parts_of_a_process) : all,
-                 worthwhile = std::min(least_part_seconds / seconds, of_a_process),
-                 chunks = std::min(part_seconds / seconds, std::max(balanced, worthwhile));
-    part_size_ = solved < end.cases.size() ? 1 : chunk * std::max<std::size_t>(1, std::lround(chunks));
-    folder_.keep_size(part_size_);
-  }
-
   const PartsFolder& folder_;
   std::size_t jobs_;
-  std::vector<bool> taken_; ///< cases that are in a part or in an order
-  std::size_t part_size_;   ///< cases; 0: not known yet
+  std::vector<bool> taken_; ///< cases that are in a part of a former run
+  std::size_t part_size_;   ///< cases
   std::deque<CaseRange> orders_;
   const PartSolver& solver_;
   SolvedParts out_;
@@ -229,13 +201,16 @@ private:
 
 } // namespace
 
+fs::path parts_folder(const fs::path& output) {
+  return output_target(output, OutputForm::whole_file).file.string() + ".parts";
+}
+
 PartsFolder::PartsFolder(const AskedSweep& asked, const fs::path& output)
-    : asked_(asked), folder_(output_target(output, OutputForm::whole_file).file.string() + ".parts") {
+    : asked_(asked), folder_(parts_folder(output)) {
   make_folder(folder_);
   lock_.emplace(folder_ / lock_name, "Wait for it, or give another output.");
   if (!lock_->warning().empty())
     warn({lock_->warning()});
-  require_own_size();
   remove_unfinished();
 }
 
@@ -257,21 +232,9 @@ std::vector<SweepPart> PartsFolder::parts() const {
   return read_parts(asked_, names);
 }
 
-std::size_t PartsFolder::size() const {
-  std::size_t size = 0;
-  const fs::path file = folder_ / size_name;
-  return is_regular(file) && std::ifstream(file) >> size ? size : 0;
-}
-
-void PartsFolder::keep_size(std::size_t size) const {
-  write_text(folder_ / size_name, [&](std::ostream& out) { out << size << '\n'; });
-}
-
 void PartsFolder::clear(const std::vector<SweepPart>& parts) const {
   for (const SweepPart& part : parts)
     remove_file(part.file);
-  if (size() > 0)
-    remove_file(folder_ / size_name);
   remove_unfinished();
 }
 
@@ -282,18 +245,6 @@ void PartsFolder::remove_unfinished() const {
       remove_file(file);
 }
 
-/// The file that it would replace has one number.
-void PartsFolder::require_own_size() const {
-  const fs::path file = folder_ / size_name;
-  std::error_code unknown;
-  const bool there = fs::exists(fs::symlink_status(file, unknown));
-  if (there && (fs::is_symlink(fs::symlink_status(file, unknown)) || !is_regular(file) ||
-                (has_bytes(file) && size() == 0)))
-    throw InputError(fmt::format("The file '{}' would be replaced", file.string()),
-                     "it is not the size of parts that a sweep has written there",
-                     "Move it, or give another output.");
-}
-
 void remove_parts_of_sweep(const fs::path& output) {
   const fs::path folder = output.string() + ".parts";
   std::error_code unknown;
@@ -301,15 +252,12 @@ void remove_parts_of_sweep(const fs::path& output) {
     return;
   const LockFile lock(folder / lock_name, "Wait for it, or give another output.");
   for (const fs::path& file : files_in(folder))
-    if (is_unfinished(file) || (is_numbered(file) && is_part_of_sweep(file)) ||
-        (file.filename() == size_name && is_regular(file)))
+    if (is_unfinished(file) || (is_numbered(file) && is_part_of_sweep(file)))
       remove_file(file);
 }
 
 PartSolver part_solver(const AskedSweep& asked) {
-  return [&asked, files = files_of_first_case(asked)](CaseRange cases, const fs::path& file) {
-    solve_part(asked, cases, files, file, slow_case_seconds, [] {});
-  };
+  return [&asked](CaseRange cases, const fs::path& file) { solve_part(asked, cases, file, [] {}); };
 }
 
 SolvedParts solve_on_cores(const PartsFolder& folder, int jobs, const PartSolver& solver) {

@@ -12,7 +12,10 @@
 
 namespace bem_contact::app {
 
-/// "SWEEP.h5.parts": the folder of the parts of a sweep that this machine solves. One process works in it.
+/// "SWEEP.h5.parts"
+std::filesystem::path parts_folder(const std::filesystem::path& output);
+
+/// The folder of the parts of a sweep that this machine solves. One process works in it.
 class PartsFolder {
 public:
   /// Makes it. Throws InputError where another process works in it, or it cannot be made.
@@ -26,14 +29,10 @@ public:
   std::filesystem::path file(std::size_t first_case) const;
   /// sorted(). Throws InputError where there are parts of another sweep.
   std::vector<SweepPart> parts() const;
-  /// Cases of a part, as a former run has chosen it; 0: none has.
-  std::size_t size() const;
-  void keep_size(std::size_t size) const;
   /// Removes what this class has written, with these parts (parts()), which are in the whole now.
   void clear(const std::vector<SweepPart>& parts) const;
 
 private:
-  void require_own_size() const;
   void remove_unfinished() const;
 
   const AskedSweep& asked_;
@@ -51,17 +50,16 @@ struct SolvedParts {
   int code = 0; ///< exit code of a process that could not go on, and has said why; 0: none
 };
 
-/// Solves some cases in a child process, writes them to a file, and may end after the first (solve_part()).
+/// Solves some cases in a child process and writes them to a file (solve_part()).
 using PartSolver = std::function<void(CaseRange cases, const std::filesystem::path& file)>;
 PartSolver part_solver(const AskedSweep& asked);
 
 /// Solves in `jobs` child processes the cases that are not in a part of the folder yet; 0: one process for
 /// each core.
 ///
-/// The first parts are one chunk each. How long the first of them took says how many cases the others have,
-/// about a minute of work, and a file of the folder keeps this number, for a run that goes on. The parts are
-/// taken in a fixed scrambled order, which no axis of the sweep falls in step with. A part whose process died
-/// is solved again case by case: only what dies then has died.
+/// A part is whole chunks (cut_of()): about a minute of the work that is foreseen, or less so that all
+/// processes are busy to the end. The parts are taken in a fixed scrambled order, which no axis of the sweep
+/// falls in step with. A part whose process died is solved again case by case: only what dies then has died.
 SolvedParts solve_on_cores(const PartsFolder& folder, int jobs, const PartSolver& solver);
 
 } // namespace bem_contact::app

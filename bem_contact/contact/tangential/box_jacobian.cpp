@@ -12,29 +12,34 @@ using Eigen::VectorXf;
 
 BoxJacobian::BoxJacobian(const StepBox& box, const std::vector<int>& local,
                          std::span<const NewtonElement> elements, StepBoxScratch& scratch)
-    : box_(box), local_(local), elements_(elements), scratch_(scratch), n_(box.size()) {
-  double slipping = 0, sum = 0, stiffness = 0;
+    : box_(box), local_(local), scratch_(scratch), n_(box.size()) {
+  double sum = 0, stiffness = 0;
   std::ranges::fill(scratch.fast_in, 0.0f); // stays so beside the elements in contact
-  scratch.scale.assign(elements.size(), 0);
+  scratch.sticking.clear();
+  scratch.slipping.clear();
   for (std::size_t a = 0; a < elements.size(); ++a) {
     const NewtonElement& e = elements[a];
     const bool sticks = e.m > counts_as_sticking;
     scratch.sticks[local[a]] = sticks;
-    sticking_ = sticking_ || sticks;
     stiffness += e.stiffness;
-    if (!sticks) {
-      slipping += 1;
-      sum += e.m;
-    }
+    sum += sticks ? 0 : e.m;
+    const Eigen::Matrix2f along = e.sticks() ? Eigen::Matrix2f::Identity()
+                                  : e.m > 0  ? Eigen::Matrix2f(e.projection / e.m)
+                                             : Eigen::Matrix2f::Zero();
+    (sticks ? scratch.sticking : scratch.slipping)
+        .push_back({static_cast<int>(a), along, 1 / (std::min(e.m, 1.0f) * e.stiffness), 1});
   }
-  if (!(sum > 0))
+  damped_ = sum > 0;
+  if (!damped_) // J is the identity on what slips
     return;
   // (1 - m)/m + r B, scaled from both sides to the mean of the first
-  const double mean = std::max(sum / slipping, least_mean_slope), shift = (1 - mean) / mean;
-  for (std::size_t a = 0; a < elements.size(); ++a)
-    if (const float m = elements[a].m; m <= counts_as_sticking)
-      scratch.scale[a] = static_cast<float>(std::sqrt(shift * m / (1 - m)));
-  damped_ = true;
+  const double mean = std::max(sum / double(scratch.slipping.size()), least_mean_slope),
+               shift = (1 - mean) / mean;
+  for (PreconditionedElement& slipping : scratch.slipping) {
+    const float m = elements[slipping.number].m;
+    slipping.after = static_cast<float>(std::sqrt(shift * m / (1 - m)));
+    slipping.before = m > 0 ? slipping.after / m : 0;
+  }
   scratch.damped.set(box, shift, stiffness / static_cast<double>(elements.size()));
 }
 
@@ -47,31 +52,34 @@ void BoxJacobian::product(Eigen::Ref<const VectorXf> v, Eigen::Ref<VectorXf> res
 }
 
 void BoxJacobian::precondition(const VectorXf& v, Eigen::Ref<VectorXf> result) const {
-  for (std::size_t a = 0; a < local_.size(); ++a)
-    result.segment<2>(2 * a) = v.segment<2>(2 * a) - elements_[a].along(v.segment<2>(2 * a));
-  if (sticking_) {
-    for (std::size_t a = 0; a < local_.size(); ++a) {
-      const NewtonElement& e = elements_[a];
-      put(a, e.m > counts_as_sticking
-                 ? Vector2f(e.along(v.segment<2>(2 * a)) / (std::min(e.m, 1.0f) * e.stiffness))
-                 : Vector2f(0, 0));
-    }
+  result = v;
+  const Elements &sticking = scratch_.sticking, &slipping = scratch_.slipping;
+  if (!sticking.empty()) {
+    put_scaled(sticking, slipping, v, result);
     box_.invert(scratch_.sticks, scratch_.fast_in, scratch_.fast_out);
-    for (std::size_t a = 0; a < local_.size(); ++a)
-      if (const NewtonElement& e = elements_[a]; e.m > counts_as_sticking)
-        result.segment<2>(2 * a) += e.along(get(a));
+    add_scaled(sticking, result);
   }
-  if (!damped_)
-    return;
-  for (std::size_t a = 0; a < local_.size(); ++a) {
-    const float scale = scratch_.scale[a];
-    put(a, scale > 0 ? Vector2f(scale / elements_[a].m * elements_[a].along(v.segment<2>(2 * a)))
-                     : Vector2f(0, 0));
+  if (damped_) {
+    put_scaled(slipping, sticking, v, result);
+    scratch_.damped.apply(box_, scratch_.fast_in, scratch_.fast_out);
+    add_scaled(slipping, result);
   }
-  scratch_.damped.apply(box_, scratch_.fast_in, scratch_.fast_out);
-  for (std::size_t a = 0; a < local_.size(); ++a)
-    if (const float scale = scratch_.scale[a]; scale > 0)
-      result.segment<2>(2 * a) += scale * elements_[a].along(get(a));
+}
+
+void BoxJacobian::put_scaled(const Elements& elements, const Elements& others, const VectorXf& v,
+                             Eigen::Ref<VectorXf> result) const {
+  for (const PreconditionedElement& e : others)
+    put(e.number, Vector2f(0, 0));
+  for (const PreconditionedElement& e : elements) {
+    const Vector2f along = e.along * v.segment<2>(2 * e.number);
+    result.segment<2>(2 * e.number) -= along;
+    put(e.number, e.before * along);
+  }
+}
+
+void BoxJacobian::add_scaled(const Elements& elements, Eigen::Ref<VectorXf> result) const {
+  for (const PreconditionedElement& e : elements)
+    result.segment<2>(2 * e.number) += e.after * (e.along * get(e.number));
 }
 
 } // namespace bem_contact::contact

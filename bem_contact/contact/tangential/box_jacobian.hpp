@@ -33,13 +33,17 @@ private:
   Eigen::Vector2f get(std::size_t a) const {
     return {scratch_.fast_out[local_[a]], scratch_.fast_out[n_ + local_[a]]};
   }
+  using Elements = std::vector<PreconditionedElement>;
+  /// Of `elements` what is inverted, taken off `result`; 0 of the others.
+  void put_scaled(const Elements& elements, const Elements& others, const Eigen::VectorXf& v,
+                  Eigen::Ref<Eigen::VectorXf> result) const;
+  void add_scaled(const Elements& elements, Eigen::Ref<Eigen::VectorXf> result) const;
 
   const StepBox& box_;
   const std::vector<int>& local_;
-  std::span<const NewtonElement> elements_;
   StepBoxScratch& scratch_;
   std::size_t n_;
-  bool sticking_ = false, damped_ = false;
+  bool damped_ = false;
 };
 
 } // namespace bem_contact::contact

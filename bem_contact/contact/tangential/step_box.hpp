@@ -103,12 +103,21 @@ private:
   std::vector<BasicPlaneOperator<float>> behind_, ahead_, periodic_; ///< of A_xx, A_ss
 };
 
+/// An element as the preconditioner sees it (box_jacobian.hpp): J is not the identity in the direction of
+/// `along`, and there its inverse is about `after` X `before` with the inverse X of a matrix alike
+/// everywhere.
+struct PreconditionedElement {
+  int number; ///< among the elements in contact
+  Eigen::Matrix2f along;
+  float before, after;
+};
+
 /// Scratch of Newton's linear systems on a StepBox, allocated once for all iterations.
 struct StepBoxScratch {
   explicit StepBoxScratch(const StepBox& box);
 
   std::vector<char> sticks;
-  std::vector<float> scale; ///< of each element in contact (box_jacobian.cpp)
+  std::vector<PreconditionedElement> sticking, slipping; ///< elements in contact
   std::vector<double> in, out;
   std::vector<float> fast_in, fast_out;
   StepBox::DampedInverse damped;

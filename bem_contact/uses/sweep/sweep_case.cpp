@@ -3,6 +3,7 @@
 #include "bem_contact/base/said_by.hpp"
 #include "bem_contact/base/stopped.hpp"
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/sequence/foreseen_work.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
@@ -25,6 +26,15 @@ constexpr std::size_t chunks_of_a_sweep = 8;
 /// Cases. Smallest and largest chunk. Chosen, not measured.
 constexpr std::size_t smallest_chunk = 4;
 constexpr std::size_t largest_chunk = 32;
+
+/// Units of work, a second or less. A sweep of no more is one chunk: cold starts and other processes would
+/// cost more than they save.
+constexpr double little_work = 2e7;
+/// Units of work: of a case of which nothing is known (contact/work.hpp).
+constexpr double usual_case_work = 1e6;
+/// Units of work, half a minute. A case that takes longer is a chunk of its own, so that no chunk takes many
+/// minutes. Chosen.
+constexpr double slow_case_work = 1e9;
 
 /// Adds to the reason of a case.
 void say(SweepCase& record, const std::string& text) {
@@ -60,13 +70,13 @@ SweepCase case_of(const WheelsetResult& result, const SweepOptions& options) {
   return out;
 }
 
-SweepCase solve_case(Sequence& sequence, const SweepFile& sweep, std::size_t index,
-                     const SweepOptions& options, const std::shared_ptr<SequenceFiles>& files) {
+SweepCase solve_case(Sequence& sequence, SweepScenes& scenes, std::size_t index, const SweepOptions& options,
+                     const std::shared_ptr<SequenceFiles>& files) {
   const Stopwatch watch;
   const std::clock_t cpu = std::clock();
   SweepCase out;
   try {
-    const SceneFile scene = with_model(sweep.scene(index), options.model);
+    const SceneFile scene = with_model(scenes.scene(index), options.model);
     const auto kept = [&](const auto& result) {
       if (options.strict)
         refuse_warnings(result.warnings);
@@ -94,14 +104,30 @@ std::size_t chunk_size(std::size_t cases) {
   return std::clamp(cases / chunks_of_a_sweep, smallest_chunk, largest_chunk);
 }
 
+SweepCut cut_of(std::size_t cases, double case_work) {
+  if (case_work * double(cases) <= little_work)
+    return {case_work, std::max<std::size_t>(cases, 1), true};
+  return {case_work, case_work > slow_case_work ? 1 : chunk_size(cases), false};
+}
+
+SweepCut cut_of(const SweepFile& sweep, const std::string& model, SequenceFiles& files) {
+  double work = usual_case_work;
+  try {
+    work = foreseen_work(with_model(sweep.first_scene(), model), files);
+  } catch (const Error&) { // others may be solved
+  }
+  return cut_of(sweep.size(), work);
+}
+
 void solve_cases(const SweepFile& sweep, CaseRange cases, const SweepOptions& options,
                  const std::shared_ptr<SequenceFiles>& files, const std::function<bool(SweepCase)>& kept) {
-  const std::size_t chunk = chunk_size(sweep.size());
+  const std::size_t chunk = cut_of(sweep, options.model, *files).chunk;
+  SweepScenes scenes(sweep);
   std::optional<Sequence> sequence;
   for (std::size_t i = cases.first; i < cases.last; ++i) {
     if (!sequence || i % chunk == 0)
       sequence.emplace(SequenceOptions{.displacements = options.displacements}, files);
-    if (!kept(solve_case(*sequence, sweep, i, options, files)))
+    if (!kept(solve_case(*sequence, scenes, i, options, files)))
       return;
   }
 }

@@ -25,9 +25,20 @@ struct SweepCase {
   std::vector<std::vector<double>> patches = {}; ///< SweepColumns::patches of each patch
 };
 
-/// How many cases make a chunk. A chunk starts cold, and its cases start from each other. The chunks depend
-/// on nothing but the number of cases of the sweep.
+/// How many of so many cases make a chunk where nothing is known of their work. A chunk starts cold, and its
+/// cases start from each other.
 std::size_t chunk_size(std::size_t cases);
+
+/// How a sweep is cut into chunks: by the number of its cases and the work of its first, and not by how many
+/// processes share it or how busy they are. So what is found does not depend on these.
+struct SweepCut {
+  double case_work = 0;  ///< units of work (contact/work.hpp), about: foreseen_work() of the first case
+  std::size_t chunk = 1; ///< cases
+  bool little = false;   ///< all cases together are so little work that they are one chunk
+};
+/// Each case is a chunk where one takes long.
+SweepCut cut_of(std::size_t cases, double case_work);
+SweepCut cut_of(const SweepFile& sweep, const std::string& model, SequenceFiles& files);
 
 /// How cases are solved.
 struct SweepOptions {
@@ -41,9 +52,9 @@ struct SweepOptions {
 };
 
 /// Solves cases one after the other, each from what was learnt of those before. The first starts cold, and so
-/// does the first of each chunk. So what is found does not depend on how a sweep is cut, if it is cut between
-/// chunks. `kept` gets each case, with what is wrong with it, and says whether to go on. Throws Stopped, and
-/// what `kept` does.
+/// does the first of each chunk (cut_of()). So what is found does not depend on how a sweep is cut, if it is
+/// cut between chunks. `kept` gets each case, with what is wrong with it, and says whether to go on. Throws
+/// Stopped, and what `kept` does.
 void solve_cases(const SweepFile& sweep, CaseRange cases, const SweepOptions& options,
                  const std::shared_ptr<SequenceFiles>& files, const std::function<bool(SweepCase)>& kept);
 

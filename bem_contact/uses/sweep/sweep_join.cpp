@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <functional>
+#include <span>
 
 namespace bem_contact {
 
@@ -22,12 +23,14 @@ using LineReader = std::function<std::vector<double>(const std::string& name, st
 /// A sweep's file while it grows.
 class Joined {
 public:
-  Joined(const AskedSweep& asked, const std::filesystem::path& output, std::size_t patches)
-      : asked_(asked), writer_(output) {
-    const H5Table form = table_of(asked.sweep, asked.columns(), missing_cases({0, 1}));
+  Joined(const AskedSweep& asked, const std::filesystem::path& output) : asked_(asked), writer_(output) {}
+
+  /// Comes before the table's rows. `patches`: of all cases.
+  void begin_table(std::size_t patches) {
+    const H5Table form = table_of(asked_.sweep, asked_.columns(), missing_cases({0, 1}));
     for (const auto& [name, data] : form.datasets) {
       names_.push_back(name);
-      writer_.add_line(name, name.starts_with(patch_group) ? patches : asked.sweep.size(), data.unit,
+      writer_.add_line(name, name.starts_with(patch_group) ? patches : asked_.sweep.size(), data.unit,
                        data.description);
     }
   }
@@ -44,6 +47,15 @@ public:
         add_members(group, file.group(group));
   }
 
+  /// Cases that were solved here, all of them.
+  void add(std::span<const SweepCase> cases) {
+    std::size_t patches = 0;
+    for (const SweepCase& one : cases)
+      patches += one.patches.size();
+    begin_table(patches);
+    add_rows({{}, asked_.sweep.all(), patches}, cases);
+  }
+
   /// Cases that have none.
   void add(CaseRange cases, const DiedCases& died) {
     for (std::size_t first = cases.first; first < cases.last; first += rows_at_once) {
@@ -55,10 +67,14 @@ public:
         reason.attributes["reason"] = one->second;
         add_members(group_of_case(one->first), reason);
       }
-      const H5Table table = table_of(asked_.sweep, asked_.columns(), empty);
-      add_lines({{}, some},
-                [&](const std::string& name, std::size_t) { return table.datasets.at(name).values; });
+      add_rows({{}, some}, empty);
     }
+  }
+
+  void add_members(const std::string& group, const H5Table& members) {
+    H5Table table;
+    add_group(table, group + "/", members);
+    writer_.add(table);
   }
 
   void finish(const std::filesystem::path& output) {
@@ -71,6 +87,11 @@ public:
   }
 
 private:
+  void add_rows(const SweepPart& part, std::span<const SweepCase> cases) {
+    const H5Table table = table_of(asked_.sweep, asked_.columns(), cases);
+    add_lines(part, [&](const std::string& name, std::size_t) { return table.datasets.at(name).values; });
+  }
+
   void add_lines(const SweepPart& part, const LineReader& read) {
     for (const std::string& name : names_) {
       const bool of_patches = name.starts_with(patch_group);
@@ -87,12 +108,6 @@ private:
     require_within({0, counts_.size()}, status, "status", part.file);
     for (const double one : status)
       ++counts_[static_cast<std::size_t>(one)];
-  }
-
-  void add_members(const std::string& group, const H5Table& members) {
-    H5Table table;
-    add_group(table, group + "/", members);
-    writer_.add(table);
   }
 
   const AskedSweep& asked_;
@@ -191,7 +206,8 @@ void join(const AskedSweep& asked, const std::vector<SweepPart>& parts, const Di
   std::size_t patches = 0;
   for (const SweepPart& part : parts)
     patches += part.patches;
-  Joined joined(asked, output, patches);
+  Joined joined(asked, output);
+  joined.begin_table(patches);
   std::size_t next = 0;
   for (const SweepPart& part : parts) { // rows of patches are in the order of their cases
     joined.add({next, part.cases.first}, died);
@@ -199,6 +215,20 @@ void join(const AskedSweep& asked, const std::vector<SweepPart>& parts, const Di
     next = part.cases.last;
   }
   joined.add({next, asked.sweep.size()}, died);
+  joined.finish(output);
+}
+
+void solve_whole(const AskedSweep& asked, const std::filesystem::path& output,
+                 const std::function<void()>& kept) {
+  Joined joined(asked, output);
+  std::vector<SweepCase> solved;
+  solve_each(asked, asked.sweep.all(), [&](SweepCase one, H5Table members) {
+    if (!members.datasets.empty() || !members.attributes.empty() || !members.texts.empty())
+      joined.add_members(group_of_case(one.index), members);
+    solved.push_back(std::move(one));
+    kept();
+  });
+  joined.add(solved);
   joined.finish(output);
 }
 

@@ -3,6 +3,7 @@
 #include "bem_contact/uses/sweep/sweep_part.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -47,5 +48,10 @@ using DiedCases = std::map<std::size_t, std::string>;
 /// Throws InputError for a damaged part, and what H5Writer does.
 void join(const AskedSweep& asked, const std::vector<SweepPart>& parts, const DiedCases& died,
           const std::filesystem::path& output);
+
+/// Solves all cases in this process and writes the same file, without parts: for a sweep of little work.
+/// `kept` is called after each case.
+void solve_whole(const AskedSweep& asked, const std::filesystem::path& output,
+                 const std::function<void()>& kept);
 
 } // namespace bem_contact

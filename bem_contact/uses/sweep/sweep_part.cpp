@@ -32,12 +32,13 @@ H5Table head_of(const AskedSweep& asked, CaseRange cases) {
 
 } // namespace
 
-CaseRange solve_part(const AskedSweep& asked, CaseRange cases, const std::shared_ptr<SequenceFiles>& files,
-                     const std::filesystem::path& file, double slow_case, const std::function<void()>& kept,
-                     const std::atomic<bool>* stop) {
-  H5Writer writer(file);
+SweepCut cut_of(const AskedSweep& asked) {
+  return cut_of(asked.sweep, asked.model, *asked.files);
+}
+
+void solve_each(const AskedSweep& asked, CaseRange cases, const std::function<void(SweepCase, H5Table)>& kept,
+                const std::atomic<bool>* stop) {
   H5Table group;
-  std::vector<SweepCase> solved;
   SweepOptions options{.model = asked.model,
                        .strict = asked.strict,
                        .displacements = asked.sweep.keeps_fields(),
@@ -46,22 +47,29 @@ CaseRange solve_part(const AskedSweep& asked, CaseRange cases, const std::shared
     options.seen = [&](const std::string& wheel, const SceneResult& result) {
       add_group(group, wheel, record::to_h5(case_record(result)));
     };
-  solve_cases(asked.sweep, cases, options, files, [&](SweepCase one) {
+  solve_cases(asked.sweep, cases, options, asked.files, [&](SweepCase one) {
+    if (!one.reason.empty())
+      group.attributes["reason"] = std::exchange(one.reason, {});
+    kept(std::move(one), std::exchange(group, {}));
+    return true;
+  });
+}
+
+CaseRange solve_part(const AskedSweep& asked, CaseRange cases, const std::filesystem::path& file,
+                     const std::function<void()>& kept, const std::atomic<bool>* stop) {
+  H5Writer writer(file);
+  std::vector<SweepCase> solved;
+  const auto keep = [&](SweepCase one, const H5Table& group) {
     if (one.status == record::Outcome::died)
       throw std::bad_alloc();
-    if (!one.reason.empty())
-      group.attributes["reason"] = one.reason;
     H5Table members;
     members.checksums = true;
-    add_group(members, group_of_case(one.index) + "/", std::exchange(group, {}));
+    add_group(members, group_of_case(one.index) + "/", group);
     writer.add(members);
-    one.reason.clear();
-    const bool slow = solved.empty() && one.seconds > slow_case;
     solved.push_back(std::move(one));
     kept();
-    return !slow;
-  });
-  cases.last = cases.first + solved.size();
+  };
+  solve_each(asked, cases, keep, stop);
   H5Table top = table_of(asked.sweep, asked.columns(), solved);
   add_group(top, "", head_of(asked, cases));
   add_origins(top, asked.origins);

@@ -1,12 +1,15 @@
 #pragma once
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/h5/table.hpp"
+#include "bem_contact/sequence/shared_files.hpp"
 #include "bem_contact/uses/sweep/sweep_columns.hpp"
 #include "bem_contact/uses/sweep/sweep_inputs.hpp"
 
 #include <atomic>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -21,9 +24,14 @@ struct AskedSweep {
   bool strict = false;     ///< a case with a warning is refused
   Origins origins = {};    ///< all that the results depend on
   std::string digest = {}; ///< digest_of() them
+  /// What its scenes name. A child process has a copy of what was read before it.
+  std::shared_ptr<SequenceFiles> files = shared_files();
 
   const SweepColumns& columns() const { return columns_of(sweep); }
 };
+
+/// How it is cut into chunks. Reads what the first case names.
+SweepCut cut_of(const AskedSweep& asked);
 
 /// A file of some neighbours in the order of a sweep: the table of these cases (sweep_table.hpp), with the
 /// attributes format, digest, first_case and last_case (not included). The same cases give the same bytes
@@ -34,12 +42,16 @@ struct SweepPart {
   std::size_t patches = 0; ///< rows of the table of patches
 };
 
+/// Solves cases in this process. `kept` gets each of them, and its group in the file of a sweep: the fields
+/// if they are asked for, and the reason.
+void solve_each(const AskedSweep& asked, CaseRange cases, const std::function<void(SweepCase, H5Table)>& kept,
+                const std::atomic<bool>* stop = nullptr);
+
 /// Solves cases in this process and writes their file, which is whole or absent. Returns which they are.
-/// `slow_case`: seconds; if the first case takes longer, it is the only one. `kept` is called after each
-/// case; `stop` as Sequence::solve(). Throws std::bad_alloc where memory ran out, and what H5Writer does.
-CaseRange solve_part(const AskedSweep& asked, CaseRange cases, const std::shared_ptr<SequenceFiles>& files,
-                     const std::filesystem::path& file, double slow_case, const std::function<void()>& kept,
-                     const std::atomic<bool>* stop = nullptr);
+/// `kept` is called after each case; `stop` as Sequence::solve(). Throws std::bad_alloc where memory ran out,
+/// and what H5Writer does.
+CaseRange solve_part(const AskedSweep& asked, CaseRange cases, const std::filesystem::path& file,
+                     const std::function<void()>& kept, const std::atomic<bool>* stop = nullptr);
 
 /// Why a file is not joined.
 class PartFault : public InputError {
