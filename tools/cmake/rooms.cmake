@@ -4,7 +4,7 @@
 # What is installed for C++ callers, from the bottom to the top. The room `h5`, which reads HDF5, stays a shared
 # library of its own.
 set(conformal_library_rooms base record profile influence halfspace reference contact geometry scene sequence uses_conicity uses_curves
-    uses_table uses_wear uses_fatigue uses_wheelset uses_sweep c)
+    uses_table uses_wear uses_fatigue uses_shakedown uses_wheelset uses_sweep c)
 list(TRANSFORM conformal_library_rooms PREPEND bem_contact_)
 
 # Of every shared library: what callers rely on may change with the minor version.
