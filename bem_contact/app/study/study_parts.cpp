@@ -40,6 +40,8 @@ constexpr Part parts_of_studies[] = {
      true},
     {"fatigue", "Rolling contact fatigue", "fatigue", [](const StudyCase& s) { return s.has("fatigue"); },
      true},
+    {"shakedown", "Shakedown of the steel below", "shakedown",
+     [](const StudyCase& s) { return s.has("shakedown"); }, true},
     {"wear", "Wear", "wear", [](const StudyCase& s) { return s.has("wear"); }, false, true},
 };
 
