@@ -13,6 +13,8 @@ void add_profile(pybind11::module_& module);
 void add_conicity(pybind11::module_& module);
 /// compare, creep_curves, wheelset.
 void add_functions(pybind11::module_& module);
+/// `shakedown` of a Result.
+void add_shakedown(pybind11::module_& module);
 /// `table`, and tables to look up in.
 void add_table(pybind11::module_& module);
 /// `wear` and `fatigue` of a Result, and how profiles wear under a load collective.

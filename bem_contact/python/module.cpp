@@ -350,6 +350,7 @@ PYBIND11_MODULE(_core, m) {
   add_profile(m);
   add_table(m);
   add_wear_functions(m);
+  add_shakedown(m);
   m.def("report", &report::write_report, "file"_a, "output"_a, py::call_guard<OthersMayRun>(),
         "Writes one HTML page of what a command wrote, or of an influence file (HDF5): the scene in "
         "words, numbers with errors, certificate, figures. It needs no network. Raises InputError for other "

@@ -209,6 +209,18 @@ const shakedownFigure = ({patches: p}) => {
     layout: {xaxis: {title: "μ used: shear force over normal force", range: [0, 0.62]}, yaxis: {title: "p0 / k", range: [0, top]}, legend: ABOVE}};
 };
 
+/// A map over the section below a patch; values above `most` are drawn as that. `place`: a cross.
+const sectionMapFigure = (section, name, title, place, most = Infinity) => {
+  const s = section.s.values, depth = section.depth.values, values = section[name].values;
+  const traces = [{type: "contour", x: s, y: depth, z: depth.map((_, n) => s.map((_, m) => Math.min(most, values[m * depth.length + n]))),
+                   colorscale: STRESS, contours: {showlabels: true, labelfont: {size: 10, color: INK}},
+                   colorbar: {title: {text: title, side: "right"}, thickness: 14}}];
+  if (place)
+    traces.push({type: "scatter", mode: "markers", x: [place.s], y: [place.depth], name: "where the limit is decided",
+                 marker: {symbol: "cross-thin", size: 14, line: {color: INK, width: 2}}});
+  return {height: 360, traces, layout: {xaxis: {title: "s along the rail, mm"}, yaxis: {title: "depth, mm", autorange: "reversed"}, showlegend: false}};
+};
+
 /// A column of a table over another one, as marks.
 const marksFigure = (table, x, y, colour) => ({
   height: 300, traces: [{type: "scatter", mode: "markers", x: table[x].values, y: table[y].values, marker: {color: colour, size: 8, line: {color: INK, width: 1}}}],

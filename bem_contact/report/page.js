@@ -260,6 +260,25 @@ const addFatigue = () => {
              "Patches", "fatigue-patches");
 };
 
+/// What the passages of a contact do to the steel below it.
+const addShakedown = () => {
+  const p = data.patches, one = name => valueOf(data, name), largestPlaces = [["dang_van", "Dang Van, MPa"], ["residual_xx", "residual stress along the track at that limit, its deviator, MPa"]];
+  Object.entries(data.sections).forEach(([k, section]) =>
+    add("p", `Patch ${k}: the steel ${section.attributes.in_words}.`, page, {id: `${idPrefix}shakedown-words-${k}`}));
+  addLarge([["shakedown", "shakedown factor, at least", number(Math.min(...p.shakedown.values))], ["shakedown_upper", "at most", number(Math.min(...p.shakedown_upper.values))],
+            ["first_yield", "first yield, load factor", number(Math.min(...p.first_yield.values))], largest(p, "dang_van", "largest stress of Dang Van"),
+            largest(p, "crossland", "largest stress of Crossland"), ["yield_shear", "yield stress in shear, k", `${number(one("yield_shear"))} MPa`]]);
+  Object.entries(data.sections).forEach(([k, section]) => {
+    const at = Number(k) - 1, place = {s: p.shakedown_s.values[at], depth: p.shakedown_depth.values[at]};
+    addFigure(`limits-${k}`, `Patch ${k}: how large the load may be before no residual stress keeps a point elastic (1: the load of the scene). The cross is where the limit is decided.`,
+              sectionMapFigure(section, "cycle", "load factor", place, 6));
+    for (const [name, title] of largestPlaces)
+      addFigure(`${name}-${k}`, `Patch ${k}: ${title}.`, sectionMapFigure(section, name, "MPa", null));
+  });
+  addColumns(p, ["s", "pmax", "first_yield", "shakedown", "shakedown_upper", "shakedown_s", "shakedown_depth", "p0_over_k_limit", "dang_van", "dang_van_depth", "crossland", "crossland_depth"],
+             "Patches", "shakedown-patches");
+};
+
 const addConicityMap = () => {
   const {map} = data, names = ["wheels", "rails"].map(name => linesOf(data[name]).map(shortName)), tan = known(map.tan_gamma.values);
   addLarge([["pairs", "wheelsets", String(map.gauge.values.length)], ["least", "least tan γ", number(tan.length ? Math.min(...tan) : null)], largest(map, "tan_gamma", "largest tan γ"),
@@ -365,7 +384,7 @@ const addScene = () => {
 };
 
 const TITLE_OF = {result: "Contact of wheel and rail", comparison: "Comparison of models", sweep: "Sweep", "creep curves": "Creep curves",
-                  conicity: "Conicity", wheelset: "Wheelset", wear: "Wear", profile: "Profile", study: "Study", fatigue: "Fatigue", table: "Table of forces",
+                  conicity: "Conicity", wheelset: "Wheelset", wear: "Wear", profile: "Profile", study: "Study", fatigue: "Fatigue", shakedown: "Shakedown", table: "Table of forces",
                   "conicity map": "Conicities", "wear of one contact": "Wear", "influence file": "Influence functions", mesh: "Mesh of a body"};
 
 const partsOf = study => Object.entries(study.parts).sort(([, a], [, b]) => a.study_order.values[0] - b.study_order.values[0]);
@@ -406,7 +425,7 @@ const addStudy = () => {
 };
 
 const ADDED = {result: addResult, comparison: addComparison, sweep: addSweep, "creep curves": addCreepCurves, conicity: addConicity, wheelset: addWheelset,
-               wear: addWear, profile: addProfile, study: addStudy, fatigue: addFatigue, "conicity map": addConicityMap, table: addForceTable,
+               wear: addWear, profile: addProfile, study: addStudy, fatigue: addFatigue, shakedown: addShakedown, "conicity map": addConicityMap, table: addForceTable,
                "wear of one contact": addContactWear, "influence file": addInfluenceFile, mesh: addMesh};
 
 /// What a page says before its numbers.

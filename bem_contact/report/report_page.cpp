@@ -36,7 +36,7 @@ std::string page_of(const Record& file, const std::filesystem::path& path) {
   throw InputError(fmt::format("'{}' cannot be reported", path.string()),
                    "it is HDF5, but no file of answers of bem_contact and no influence file",
                    "Name a file that solve, compare, sweep, creep-curves, conicity, wheelset, table, wear, "
-                   "fatigue or study of bem_contact wrote, or an influence file.");
+                   "fatigue, shakedown or study of bem_contact wrote, or an influence file.");
 }
 
 /// What no figure draws.

@@ -17,6 +17,7 @@ constexpr std::string_view of_compare[] = {"models", "strict", "threads"},
                            of_conicity[] = {"roll", "step", "to"},
                            of_creep_curves[] = {"eta", "jobs", "model", "phi", "strict", "xi"},
                            of_fatigue[] = {"damage", "nodes", "wear_is_negative", "yield_shear"},
+                           of_shakedown[] = {"crossland", "dang_van", "in_plane", "yield_shear"},
                            of_table[] = {"jobs", "model", "most_points", "tolerance"},
                            of_wear[] = {"body",      "cap", "depth", "hardness", "influence", "jobs",
                                         "kept_turn", "law", "model", "passages", "smoothing", "speed"};
@@ -27,8 +28,9 @@ struct OptionTable {
   std::span<const std::string_view> keys;
 };
 constexpr OptionTable option_tables[] = {
-    {"compare", of_compare}, {"conicity", of_conicity}, {"creep_curves", of_creep_curves},
-    {"fatigue", of_fatigue}, {"table", of_table},       {"wear", of_wear}};
+    {"compare", of_compare}, {"conicity", of_conicity},   {"creep_curves", of_creep_curves},
+    {"fatigue", of_fatigue}, {"shakedown", of_shakedown}, {"table", of_table},
+    {"wear", of_wear}};
 
 void require_known(const std::string& table, const std::string& key, const std::string& where) {
   std::vector<std::string> names = keys_of_table(table);

@@ -292,6 +292,15 @@ def fatigue(
 ) -> dict[str, Any]:
     """The same of each case of a table [sweep], as arrays over the patches of all cases, and the damage of the collective."""
 
+def shakedown(
+    result: Result,
+    yield_shear: float = 300,
+    dang_van_a: float = 0.4,
+    alpha: float | None = None,
+    in_plane: bool = False,
+) -> dict[str, Any]:
+    """Whether the steel below each patch yields never, once or for ever; shakedown bounds, Dang Van, Crossland; maps over the section."""
+
 def study(
     scene: _Scene,
     output: str | PathLike[str],
