@@ -310,7 +310,7 @@ TEST_F(Sweep, AProcessThatDiesCostsItsCaseAloneAndTheSameCommandSolvesThat) {
     EXPECT_THAT(solved.died.at(6), HasSubstr("signal 9"));
     EXPECT_THAT(solved.died.at(7), HasSubstr("code 9"));
     EXPECT_EQ(solved.died.at(18), said_by(std::bad_alloc()));
-    EXPECT_EQ(app::missing_ranges(folder.parts(), 20), (std::vector<CaseRange>{{6, 8}, {18, 19}}));
+    EXPECT_EQ(missing_ranges(folder.parts(), 20), (std::vector<CaseRange>{{6, 8}, {18, 19}}));
     join(here, folder.parts(), solved.died, out());
   }
   const H5Table died = read_h5(out()); // such a file is not complete
@@ -552,9 +552,9 @@ TEST_F(Sweep, FilesThatABodyFileNamesAreInputs) {
       write("b.toml", "wheel.profile = \"S1002\"\nload.force = 1e4\n[sweep]\nrail.profile = "
                       "[\"60E1\", \"rail.toml\", \"points.txt\"]\n");
   const SweepFile sweep = read_sweep_file(file);
-  EXPECT_THAT(app::input_paths(sweep), testing::UnorderedElementsAre(points, body));
+  EXPECT_THAT(input_paths(sweep), testing::UnorderedElementsAre(points, body));
   std::vector<std::string> keys;
-  for (const InputRecord& input : app::given_sweep(sweep, "").inputs)
+  for (const InputRecord& input : given_sweep(sweep, "").inputs)
     keys.push_back(input.key);
   EXPECT_THAT(keys, testing::UnorderedElementsAre("rail.profile", "wheel.profile", "rail.profile[1]",
                                                   "rail.profile[1].body.profile", "rail.profile[2]"));
