@@ -24,4 +24,11 @@ struct SolidOptions {
 /// that do not fit, and where nothing is asked for.
 void solid_command(const std::string& body_file, const std::string& mesh, const SolidOptions& options);
 
+/// `fem_influence BODY.toml MESH.msh --stresses OUT.csv --ellipse S A B P0 MU`: stresses below an elliptical
+/// contact in the body, and those of a half-space beside them. `ellipse` has five numbers: arc length of its
+/// middle, semi-axes along x and s (mm), largest pressure (MPa), friction. Throws InputError for files or
+/// numbers that do not fit.
+void stress_command(const std::string& body_file, const std::string& mesh, const std::string& output,
+                    const std::vector<double>& ellipse);
+
 } // namespace bem_contact::fem

@@ -79,6 +79,8 @@ element on itself: less than 0.1 %. It takes a minute or two and 3.5 GB of memor
 struct Arguments {
   std::string body, mesh;
   bool solid = false;
+  std::string stresses;        ///< file to write; "": none
+  std::vector<double> ellipse; ///< five numbers
   fem::SolidOptions options;
 };
 
@@ -103,12 +105,27 @@ void add_options(CLI::App& app, Arguments& arguments) {
       ->check(CLI::Range(0, 2));
   add_output_option(app, "--vtu", arguments.options.vtu,
                     "With --solid: displacement field of the first loaded station, for ParaView (.vtu)");
+  add_output_option(
+      app, "--stresses", arguments.stresses,
+      "Write the stresses below an elliptical contact, with those of a half-space beside them (CSV)");
+  app.add_option(
+         "--ellipse", arguments.ellipse,
+         "With --stresses: arc length of the middle, semi-axes along x and s (mm), largest pressure (MPa), "
+         "friction")
+      ->expected(5);
   app.footer("Exit code 0: done; 2: wrong input; 1: anything else. More: fem_influence/README.md.");
 }
 
 void compute(const Arguments& arguments) {
   const fem::SolidOptions& options = arguments.options;
-  if (arguments.solid) {
+  if (!arguments.stresses.empty() || !arguments.ellipse.empty()) {
+    if (arguments.solid || arguments.stresses.empty() || arguments.ellipse.empty() || !options.output.empty())
+      throw InputError("Stresses need a mesh of the section and a load",
+                       "--stresses and --ellipse belong together",
+                       "Give --stresses OUT.csv --ellipse S A B P0 MU.");
+    if (fem::process_rank() == 0) // one process does it all
+      fem::stress_command(arguments.body, arguments.mesh, arguments.stresses, arguments.ellipse);
+  } else if (arguments.solid) {
     if (fem::process_rank() == 0) // one process does it all
       fem::solid_command(arguments.body, arguments.mesh, options);
   } else if (options.output.empty() || !options.check.empty() || !options.vtu.empty() ||

@@ -57,16 +57,16 @@ HarmonicSolver::HarmonicSolver(HarmonicSystem system, std::span<const int> order
     : system_(ready_to_solve(std::move(system), order)),
       solver_(static_cast<int>(system_.unknowns()), unknowns_of_cells(system_), system_.functionals) {}
 
-void HarmonicSolver::evaluate(double k) {
-  const SectionOperator& op = system_.op;
-  value_.resize(9 * op.block.size()); // at least
-  double* to = value_.data();
+void evaluate(const HarmonicSystem& system, double k, std::vector<double>& value) {
+  const SectionOperator& op = system.op;
+  value.resize(9 * op.block.size()); // at least
+  double* to = value.data();
   std::size_t e = 0;
   std::vector<char> held;
   for (std::size_t c = 0; c < op.cells.count(); ++c) {
     held.clear();
     for (const int node : op.cells[c])
-      held.push_back(system_.held(node));
+      held.push_back(system.held(node));
     auto left = 3 * static_cast<std::size_t>(std::count(held.begin(), held.end(), 0)); // rows of a column
     for (std::size_t a = 0; a < held.size(); ++a) {
       if (held[a]) {
@@ -91,12 +91,12 @@ void HarmonicSolver::evaluate(double k) {
       }
     }
   }
-  value_.resize(static_cast<std::size_t>(to - value_.data()));
+  value.resize(static_cast<std::size_t>(to - value.data()));
 }
 
 WavenumberResult HarmonicSolver::at(double k) {
   const std::size_t n = 3 * system_.stations;
-  evaluate(k);
+  evaluate(system_, k, value_);
   solver_.factorize(value_);
   const std::vector<double>& all = solver_.schur();
   const std::size_t size = system_.functionals.columns();

@@ -25,6 +25,9 @@ struct WavenumberResult {
 /// By Cholesky factors and inverse iteration; 0 where there are no such factors.
 double smallest_eigenvalue(std::span<const double> kernel);
 
+/// K(k) of the cells as MumpsSolver takes it, into `value`.
+void evaluate(const HarmonicSystem& system, double k, std::vector<double>& value);
+
 /// The section's problem for any wavenumber: with F the stations' functionals and r the remote ones,
 ///     kernel = F^T K^-1 F / ds, remote = r^T K^-1 F, remote_self = ds r^T K^-1 r.
 /// The unit generalised load of remote_self is ds times a unit, as a unit traction on a station is: so
@@ -39,9 +42,6 @@ public:
   WavenumberResult at(double wavenumber);
 
 private:
-  /// K(k) as MumpsSolver takes it, in value_.
-  void evaluate(double k);
-
   HarmonicSystem system_;
   MumpsSolver solver_;
   std::vector<double> value_;
