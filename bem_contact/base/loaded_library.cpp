@@ -3,9 +3,24 @@
 #include "bem_contact/base/error.hpp"
 
 #include <dlfcn.h>
+#include <link.h>
 #include <string>
 
 namespace bem_contact {
+
+namespace {
+
+/// A program that is linked with the library itself may hold copies of its variables. Then the library uses
+/// these copies, and so must we. Null: the program has none.
+void* copy_in_program(const char* name) {
+  void* found = dlsym(RTLD_DEFAULT, name);
+  Dl_info about;
+  link_map* owner = nullptr;
+  const bool known = found && dladdr1(found, &about, reinterpret_cast<void**>(&owner), RTLD_DL_LINKMAP) != 0;
+  return known && owner && *owner->l_name == '\0' ? found : nullptr; // the program itself has no name there
+}
+
+} // namespace
 
 void* LoadedLibrary::find(const char* name) const {
   void* library = dlopen(file_, RTLD_LAZY);
@@ -16,6 +31,8 @@ void* LoadedLibrary::find(const char* name) const {
                 why ? why : "it lacks " + std::string(name),
                 "Install this program again, with all of its libraries.");
   }
+  if (void* copy = copy_in_program(name))
+    return copy;
   return found;
 }
 

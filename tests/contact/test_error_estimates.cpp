@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
-#include <numbers>
 #include <random>
 
 namespace bem_contact {
@@ -385,30 +384,12 @@ TEST(ErrorEstimates, HoldForTemperaturesWithALayer) {
         if (std::isfinite(coarse.totals.Tmax_rail.error))
           temperatures.add(coarse.totals.Tmax_rail, fine.totals.Tmax_rail);
       }
-  fmt::print("temperatures: {:.0f} % of {} held, median {:.1f}; powers: {:.0f} %, {:.1f}\n",
-             100 * temperatures.share(), temperatures.cases, temperatures.median(), 100 * powers.share(),
-             powers.median());
+  fmt::print("temperatures: {:.0f} % of {} held, median {:.1f}, least {:.2f}; powers: {:.0f} %, {:.1f}\n",
+             100 * temperatures.share(), temperatures.cases, temperatures.median(),
+             std::ranges::min(temperatures.ratios), 100 * powers.share(), powers.median());
   EXPECT_GE(temperatures.cases, 12);
   EXPECT_GE(temperatures.share(), 0.95);
   EXPECT_GE(powers.share(), 0.95);
-}
-
-/// A contact of three rows: its peak is not resolved, and what does not bear on the peak has its errors.
-TEST(ErrorEstimates, APeakThatIsNotResolvedTakesOnlyThePressure) {
-  const double a = 1e-4, b = 5e-2, modulus = 82000 / (1 - 0.28);
-  const reference::HertzContact exact = reference::hertz_by_force(a, b, modulus, force);
-  ContactProblem problem = scenes::flat(scenes::steel, scenes::steel, 100, 9, 2 * exact.semi_axis_x / 80,
-                                        0.75 * exact.semi_axis_s, a, b);
-  problem.force = force;
-  const ContactResult result = solve(problem);
-  ASSERT_TRUE(result.certified() && result.trust.discretisation);
-  EXPECT_FALSE(result.trust.discretisation->converges);
-  EXPECT_FALSE(result.trust.discretisation->rough);
-  EXPECT_TRUE(std::isnan(result.totals.pmax.error));
-  EXPECT_TRUE(std::isnan(result.patches.at(0).pmax.error));
-  EXPECT_LT(std::abs(result.totals.area - std::numbers::pi * exact.semi_axis_x * exact.semi_axis_s),
-            result.totals.area.error);
-  EXPECT_LT(std::abs(result.totals.approach - exact.approach), result.totals.approach.error);
 }
 
 /// With noise of some micrometres smaller elements show another pressure: no number may be stated.

@@ -280,7 +280,8 @@ ErrorParts temperature_parts(const ContactGrid& grid, const std::vector<double>&
   return {.change = std::abs(fine[i] - std::ranges::max(coarse)),
           .local = (fine[i] - bulk) / contact,
           .peak = beside,
-          .fixed = missing_heat * std::abs(fine[i] - std::ranges::max(other))};
+          .fixed = missing_heat * std::abs(fine[i] - std::ranges::max(other)) +
+                   heat_between * (fine[i] - bulk) / std::sqrt(double(contact))};
 }
 
 /// Sets the errors of the highest temperatures.
@@ -300,13 +301,6 @@ void estimate_temperatures(const ContactProblem& problem, const ContactResult& r
   parts.Tmax_wheel = parts_of(&SurfaceTemperatures::wheel, problem.heating->wheel);
   totals.Tmax_rail.error = weighed(shares::temperature, parts.Tmax_rail);
   totals.Tmax_wheel.error = weighed(shares::temperature, parts.Tmax_wheel);
-}
-
-/// Where the peak is not resolved, what bears on it alone; forces and areas are as good as elsewhere.
-void forget_pressures(ContactResult& result) {
-  result.totals.pmax.error = unknown_error;
-  for (PatchSummary& patch : result.patches)
-    patch.pmax.error = unknown_error;
 }
 
 } // namespace
@@ -334,7 +328,7 @@ void estimate_errors(const ContactProblem& problem, const ContactProblem& coarse
   Discretisation& estimate = *result.trust.discretisation;
   estimate.converges = converges(fine, rough, roughness);
   estimate.rough = is_rough(fine, roughness);
-  if (estimate.rough)
+  if (!estimate.converges)
     return;
   ContactTotals& totals = result.totals;
   PartsOfTotals& parts = estimate.parts;
@@ -368,8 +362,6 @@ void estimate_errors(const ContactProblem& problem, const ContactProblem& coarse
   estimate.moment_change = longer * shares::moment.of(fine.line).change;
   estimate_patches(problem, patches, rough_patches, effects, fine, roughness, result.patches);
   estimate_track_forces(result);
-  if (!estimate.converges)
-    forget_pressures(result);
 }
 
 } // namespace bem_contact::contact
