@@ -15,7 +15,6 @@ import numpy as np
 
 import bem_contact
 from bem_contact.plotting.contact import Contact
-from bem_contact.plotting.former import results_in
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -71,8 +70,7 @@ class Doors(unittest.TestCase):
         yield "history, JSON", all(step["certified"] for step in found["history"])
         with h5py.File(file) as h5:
             yield "HDF5", bool(h5.attrs["certified"])
-            contact, = (Contact(model, *parts) for model, parts in results_in(h5).items())
-            yield "picture", contact.verdict().startswith("certified")
+            yield "picture", Contact(h5).verdict().startswith("certified")
         yield "info", "NOT" not in re.search(r"^  result: .* certified$", self.program("info", file).stdout, re.M)[0]
         self.assertEqual(self.program("report", file, "-o", page).returncode, 0)
         yield "page", self.page_says(page)
@@ -136,6 +134,7 @@ SWEEP = "[sweep]\nmotion.xi = [1e-3, 2e-3]\n"
 # Every command that solves a contact, with a scene that is no solution: the program ends with 3. {0}: the scene, {1}: a name.
 SOLVE = {"solve": (SHIFT, ["{0}"]), "compare": (STEADY, ["{0}", "--models", "halfspace,tangent_plane"]), "sweep": (SHIFT + SWEEP, ["{0}", "-o", "{1}.h5"]),
          "creep-curves": (STEADY, ["{0}", "--xi", "-1e-3:1e-3:3"]), "table": (SHIFT + TABLE, ["{0}", "-o", "{1}.h5"]), "fatigue": (SHIFT, ["{0}"]),
+         "shakedown": (SHIFT, ["{0}"]),
          "wear": (ON_RAIL + "load.force = 8e4\n", ["{0}"]), "wheelset": (AXLE, ["{0}"]), "study": (SHIFT, ["{0}", "-o", "{1}"])}
 SHOW = {"info", "report", "plot"}  # files of results: Doors has what each says
 ASKED = {"explore": "it serves a page; test_explore and test_answers ask it"}
@@ -181,6 +180,7 @@ class EveryDoor(unittest.TestCase):
                 "sweep": lambda: "certified" in bem_contact.sweep(swept)["status"],
                 "creep_curves": lambda: bem_contact.creep_curves(steady, xi=[-1e-3, 0, 1e-3])["certified"],
                 "table": lambda: bem_contact.table(tabled) is not None, "fatigue": lambda: bem_contact.fatigue(of_history) is not None,
+                "shakedown": lambda: bem_contact.shakedown(of_history) is not None,
                 "wear": lambda: bem_contact.wear(worn) is not None, "wheelset": lambda: bem_contact.wheelset(axle)["certified"],
                 "study": lambda: bem_contact.study(of_history, self.folder / "studied")["parts"]["solve"]["study_status"] == "certified",
                 "fatigue of a result": lambda: bem_contact.fatigue(bem_contact.solve(of_history)) is not None,
