@@ -53,6 +53,13 @@ bool not_drawn(std::string_view path) {
   return std::ranges::find(names, path) != names.end();
 }
 
+/// The record of a result, with the result at whose fields it looks.
+template <class Result, class Make> KeptRecord kept(Result result, const Make& make) {
+  auto owner = std::make_shared<const Result>(std::move(result));
+  record::Record record = make(*owner);
+  return {std::move(owner), std::move(record)};
+}
+
 /// Both wheels, each as the page draws one.
 Record wheels_of(const WheelsetResult& r) {
   return {{"wheelset", record::numbers_of(wheelset_quantities(), false, r)},
@@ -109,12 +116,14 @@ Reply Answers::answer(const std::string& question) {
   return replied(question, [&](const Question& asked) {
     const Stop stop = newest(asked.window);
     const SceneFile to_solve = scenes_.scene(asked);
-    Record found = to_solve.wheelset.force ? wheels_of(solve_both(to_solve, stop))
-                                           : record_of(solve(asked, sequence_, stop));
+    const KeptRecord found =
+        to_solve.wheelset.force
+            ? kept(solve_both(to_solve, stop), [](const WheelsetResult& r) { return wheels_of(r); })
+            : kept(solve(asked, sequence_, stop), [](const SceneResult& r) { return record_of(r); });
     const std::string scene = scenes_.in_plain_names(scene_with_defaults(to_solve));
     Record data{{"scene_with_defaults", record::Text{scene, "the scene with every key"}},
                 {"remarks", remarks_on(to_solve)}};
-    data.append(std::move(found));
+    data.append(found.record);
     return Reply{json_type, record::to_described_json({{"data", std::move(data)}}, not_drawn)};
   });
 }
@@ -126,26 +135,28 @@ Reply Answers::scene(const std::string& question) {
 }
 
 /// Solved as the command does it, from nothing: the file is the command's.
-record::Record Answers::file_of(const Question& question) {
+KeptRecord Answers::file_of(const Question& question) {
   const GivenScene given = scenes_.given(question);
   const std::filesystem::path file = given.text.folder / "explored.h5";
   const SceneFile scene = scenes_.scene(question);
   const Stop stop = newest(question.window);
   if (scene.wheelset.force)
-    return headed(wheelset_format, given, file).append(record_of(solve_both(scene, stop)));
+    return kept(solve_both(scene, stop), [&](const WheelsetResult& r) {
+      return headed(wheelset_format, given, file).append(record_of(r));
+    });
   Sequence cold;
-  return result_file(solve(question, cold, stop), given, file);
+  return kept(solve(question, cold, stop), [&](const SceneResult& r) { return result_file(r, given, file); });
 }
 
 Reply Answers::result(const std::string& question) {
   return replied(question, [&](const Question& asked) {
-    return Reply{"application/x-hdf5", record::hdf5_bytes(file_of(asked))};
+    return Reply{"application/x-hdf5", record::hdf5_bytes(file_of(asked).record)};
   });
 }
 
 Reply Answers::report(const std::string& question) {
   return replied(question, [&](const Question& asked) {
-    return Reply{page_type, report::page_of_record(file_of(asked), "explored.h5")};
+    return Reply{page_type, report::page_of_record(file_of(asked).record, "explored.h5")};
   });
 }
 

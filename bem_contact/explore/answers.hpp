@@ -17,6 +17,12 @@
 
 namespace bem_contact::explore {
 
+/// A record and what it looks at: its fields are not copied.
+struct KeptRecord {
+  std::shared_ptr<const void> owner;
+  record::Record record;
+};
+
 /// Answers the page's questions, one solution at a time. Each function takes a question (asked_scenes.hpp)
 /// as JSON. What is wrong with it is said in the reply: {"problem": {"kind", "message"}}, where "kind" is
 /// the name of a record::Outcome ("replaced": the same window has asked again). Several threads may
@@ -55,7 +61,7 @@ private:
   SceneResult solve(const Question& question, Sequence& sequence, const Stop& stop);
   WheelsetResult solve_both(const SceneFile& scene, const Stop& stop);
   record::Record remarks_on(const SceneFile& scene);
-  record::Record file_of(const Question& question);
+  KeptRecord file_of(const Question& question);
   std::vector<NamedBody> named_bodies(const Question& question);
   Stop newest(const std::string& window);
   template <class Answer> Reply replied(const std::string& question, const Answer& answer);

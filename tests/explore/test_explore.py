@@ -334,7 +334,7 @@ class Page(unittest.TestCase):
         self.assertEqual(self.show.value(said + ".length"), 0)
 
     def test_messages_have_the_units_of_the_fields(self):
-        for key, value, words in (("position.yaw", 0.9, "position.yaw = 900 mrad (out of range) Give a value >= -100 and <= 100 mrad"),
+        for key, value, words in (("position.yaw", 0.9, "position.yaw = 900 mrad (out of range) Give a value >= -100 mrad and <= 100 mrad"),
                                   ("load.force", -3, "load.force = -0.003 kN (out of range)")):
             self.show.value(f"moved('{key}', {value})")
             self.until("!element('problem').hidden")
