@@ -107,7 +107,7 @@ class New(unittest.TestCase):
         keys = 'rail.influence = "rail.h5"\nwheel.influence = "wheel.h5"\n'
         self.assertIn('rail.influence = "rail.h5" and wheel.influence = "wheel.h5"', text)
         file.write_text(keys + text + table + f'program = "{made}"\n')
-        self.call("study", file, "-o", self.folder / "out_influence", "--only", "influence")
+        self.call("study", file, "-o", self.folder / "out_influence", "--only", "influence", "--influence", made)
         called = (self.folder / "called.txt").read_text().splitlines()
         self.assertEqual([line.split()[0] for line in called], ["60E1", "S1002"])
         self.assertEqual([Path(line.split()[1]).name for line in called], ["rail.h5", "wheel.h5"])

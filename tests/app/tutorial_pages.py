@@ -139,7 +139,10 @@ class Pages(unittest.TestCase):
             return done.stdout
         said, sys.argv = io.StringIO(), words
         with contextlib.redirect_stderr(said):
-            runpy.run_path(words[0], run_name="__main__")
+            try:
+                runpy.run_path(words[0], run_name="__main__")
+            except SystemExit as end:
+                self.assertIn(end.code, (None, 0), f"{line}:\n{said.getvalue()}")
         return said.getvalue()
 
     def run_page(self, page, checked=True):

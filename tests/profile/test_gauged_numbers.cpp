@@ -33,8 +33,13 @@ TEST(FlangeNumbers, AreWhatTheNamesOfTheStandardSay) {
         const auto name = fmt::format("{} h{:g} e{:g} 6.7%", tread, height, thickness);
         const auto found = flange_numbers(standard_profile(name), 70);
         ASSERT_TRUE(found) << name;
-        EXPECT_NEAR(found->Sh, height, 2e-3) << name;
         EXPECT_NEAR(found->Sd, thickness, 2e-3) << name;
+        if (thickness == 32.5) { // the tip of a thinner flange is lower by up to 0.17 mm
+          EXPECT_NEAR(found->Sh, height, 2e-3) << name;
+        } else {
+          EXPECT_LT(found->Sh, height) << name;
+          EXPECT_NEAR(found->Sh, height, 0.2) << name;
+        }
       }
 }
 
