@@ -25,12 +25,6 @@ namespace {
 
 /// 1. Rounds, as a guard: each inserts a point at least, and 200 points on an axis are no table.
 constexpr int most_rounds = 200;
-/// 1. In the middle of a cell its corners have a larger weight along each axis than this, and others a
-/// smaller one.
-constexpr double corner_weight = 0.3;
-/// 1, of the range of a cell's corners. A solution in the middle that is so near to an end of this range, and
-/// farther from the table, lies beside a jump: it has the value of one side.
-constexpr double level_share = 0.1;
 
 [[noreturn]] void refuse_to_hold(const Column& column) {
   throw InputError(fmt::format("{} cannot be held within the tolerance", column.name),
@@ -67,20 +61,6 @@ double MeasuredTable::off(const Point& at, std::size_t column) const {
   return std::abs(interpolate(table_, table_.columns[column], at) - known_.at(at).values[column]);
 }
 
-double MeasuredTable::most_off(const Point& middle, std::size_t column) const {
-  const std::vector<double>& values = table_.columns[column].values;
-  const double there = known_.at(middle).values[column], here = off(middle, column);
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const PointWeight& corner : weights_at(table_, middle))
-    if (corner.weight >= std::pow(corner_weight, double(middle.size()))) {
-      low = std::min(low, values[corner.index]);
-      high = std::max(high, values[corner.index]);
-    }
-  const double range = high - low;
-  const bool at_an_end = std::min(std::abs(there - low), std::abs(high - there)) <= level_share * range;
-  return at_an_end && here >= level_share * range ? std::max(here, range) : here;
-}
-
 WorstError MeasuredTable::error(const Point& at) const {
   WorstError worst{.at = at};
   for (std::size_t c = 0; c < table_.columns.size(); ++c)
@@ -99,7 +79,7 @@ std::vector<WorstError> MeasuredTable::measure(std::span<const Point> middles) {
   for (std::size_t c = 0; c < table_.columns.size(); ++c) {
     double& largest = table_.columns[c].interpolation_error = 0;
     for (const Point& middle : middles)
-      largest = std::fmax(largest, most_off(middle, c)); // leaves nan out
+      largest = std::fmax(largest, off(middle, c)); // leaves nan out
   }
   table_.tolerance = wanted_.tolerance;
   table_.checked = middles.size();

@@ -27,9 +27,6 @@ public:
   void ask(std::span<const Point> points);
   /// How far the interpolation of a column is off at a point that was solved, in its unit.
   double off(const Point& at, std::size_t column) const;
-  /// How far it may be off in the cell with this middle, which was solved. Where the middle tells of a jump,
-  /// a look-up beside the jump may miss all of it.
-  double most_off(const Point& middle, std::size_t column) const;
   /// The largest error there.
   WorstError error(const Point& at) const;
   /// States the errors of the table at these points, the middles of its cells, and gives those where they are

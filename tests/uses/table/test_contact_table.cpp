@@ -47,23 +47,6 @@ double quadratic(const Point& p) {
   return (1 + 2 * p[0] - p[0] * p[0]) * (3 - p[1] + 0.5 * p[1] * p[1]);
 }
 
-/// A second contact begins: the function jumps.
-double with_jump(const Point& p) {
-  return 0.3 * p[0] + (p[0] > 0.61 ? 0.2 : 0.0);
-}
-
-/// The stated error covers both sides of a jump, though only the middles of cells are looked at.
-TEST(ContactTable, TheStatedErrorCoversAJump) {
-  const ContactTable t = refined(with_jump, {.tolerance = 0.12});
-  double worst = 0;
-  for (int i = 0; i <= 2000; ++i) {
-    const Point p{i / 2000.0, 3.1};
-    worst = std::max(worst, std::abs(interpolate(t, t.columns[0], p) - with_jump(p)));
-  }
-  EXPECT_GT(worst, 0.12) << "this test would say nothing";
-  EXPECT_LE(worst, 1.15 * t.columns[0].interpolation_error);
-}
-
 /// Of a function that is quadratic in each coordinate, nothing is lost; beyond the ends it is constant.
 TEST(ContactTable, InterpolationIsExactForParabolas) {
   ContactTable t = refined(quadratic, {});
