@@ -21,7 +21,8 @@ bool is_reciprocal(const ContactProblem& problem) {
 }
 
 /// How much the tractions change around each element of a patch, squared; what changes behind the contact and
-/// ahead of it counts for its first and last elements. Field.
+/// ahead of it counts for its first and last elements. What adheres dissipates nothing, unless all of the
+/// patch adheres: then slip is in a zone narrower than an element. Field.
 std::vector<double> waves(const ContactProblem& problem, const ContactResult& result,
                           const std::vector<int>& elements) {
   const int mx = problem.grid.mx;
@@ -33,7 +34,11 @@ std::vector<double> waves(const ContactProblem& problem, const ContactResult& re
     };
     return std::pow(second(result.px), 2) + std::pow(second(result.ps), 2);
   };
+  const auto adheres = [&](int i) { return result.state[i] == ElementState::adhesion; };
+  const bool all_adhere = std::ranges::all_of(elements, adheres);
   for (const int i : elements) {
+    if (adheres(i) && !all_adhere)
+      continue;
     const int row = i / mx, ix = i % mx;
     out[i] += squared(row, ix);
     for (const int beside : {ix - 1, ix + 1})

@@ -46,7 +46,8 @@ def write_part(solved, file, first, last):
         times = -(-count // SOLVED)
         of_patch = np.concatenate([old["patches/case"][:] + SOLVED * i for i in range(times)])
         rows = of_patch < count
-        for name, data in [(n, d) for n, d in old.items() if n not in ("patches", "cases")] + [
+        old.copy("made_from", new)
+        for name, data in [(n, d) for n, d in old.items() if n not in ("patches", "cases", "made_from")] + [
                 (f"patches/{n}", d) for n, d in old["patches"].items()]:
             values = np.tile(data[:], times)[:count] if "/" not in name else np.tile(data[:], times)[rows]
             new.create_dataset(name, data=first + of_patch[rows] if name == "patches/case" else values, chunks=values.shape,

@@ -80,7 +80,7 @@ TEST_F(MshFile, HoldsNamesGroupsAndPlacesOfTheMesh) {
   write_msh(mesh, folder / "block.msh");
   const std::string content = text(folder / "block.msh");
   EXPECT_THAT(content, HasSubstr("$MeshFormat\n4.1 0 8\n"));
-  EXPECT_THAT(content, HasSubstr("$Comments\nbody file " + mesh.body_digest + "\n$EndComments\n"));
+  EXPECT_THAT(content, HasSubstr("$Comments\nbody file " + mesh.body_digest + " sha256 "));
   EXPECT_THAT(content,
               HasSubstr("$PhysicalNames\n4\n1 1 \"contact\"\n1 2 \"held\"\n1 3 \"free\"\n2 10 \"body\"\n"));
   const Read found = read(content);
