@@ -154,7 +154,7 @@ TEST_F(FromContact, SaysWhatHasNoCounterpart) {
       convert(spheres.substr(0, spheres.find(" 0  MODULE")) + plastic.substr(plastic.find(" 3")));
   EXPECT_EQ(done.code, 2);
   EXPECT_THAT(done.out, HasSubstr("case 1: cases_001.toml"));
-  EXPECT_THAT(done.out, HasSubstr("case 2 (line 12): no scene: M = 4 with TAU_C0"));
+  EXPECT_THAT(done.out, HasSubstr("case 2 (line 11): no scene: M = 4 with TAU_C0"));
   const auto refused = [&](const std::string& text, const char* words) {
     const Outcome wrong = convert(text);
     EXPECT_EQ(wrong.code, 2);

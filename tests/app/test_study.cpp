@@ -195,7 +195,7 @@ TEST_F(Study, SaysWhichInfluenceFileIsMissing) {
   EXPECT_THAT(done.out,
               ContainsRegex("There is no influence file '.*none.h5' \\(false .*rail.toml ended with "
                             "exit code 1\\)"));
-  EXPECT_THAT(done.out, ContainsRegex("solve +done"));
+  EXPECT_THAT(done.out, ContainsRegex("solve +certified"));
   EXPECT_EQ(done.code, 1); // that of the program
 }
 
@@ -228,9 +228,9 @@ TEST_F(Study, GoesOnAfterAKill) {
   ASSERT_EQ(done.code, 0) << done.out << done.err;
   EXPECT_EQ(when("solve"), solved);
   EXPECT_EQ(when("conicity"), steered);
-  EXPECT_THAT(done.out, ContainsRegex("solve +done +as it was"));
+  EXPECT_THAT(done.out, ContainsRegex("solve +certified +as it was"));
   EXPECT_THAT(done.out, ContainsRegex("conicity +done +as it was"));
-  EXPECT_THAT(done.out, Not(ContainsRegex("creep_curves +done +as it was")));
+  EXPECT_THAT(done.out, Not(ContainsRegex("creep_curves +certified +as it was")));
   ASSERT_EQ(run("study " + file + " -o " + path("whole")).code, 0);
   EXPECT_EQ(text_of(folder_ / "whole" / "study.csv"), text_of(folder_ / "out" / "study.csv"));
 }

@@ -134,14 +134,14 @@ TEST_F(Sweep, CheckNamesTheFilesThatAreRead) {
   fs::copy_file(CONFORMAL_SOURCE_DIR "/data/bodies/worn_rail.txt", folder_ / "r.txt");
   const Outcome inputs =
       run("check --inputs " +
-          scene("wheel.profile = 'S1002'\nload.force = 8e4\n[sweep]\nposition.lateral = [0, 1]\n"
-                "[[sweep.together]]\ntable = 'rails.csv'\n"));
+          scene("wheel = { profile = 'S1002', influence = 'wheel.h5' }\nload.force = 8e4\n[sweep]\n"
+                "position.lateral = [0, 1]\n[[sweep.together]]\ntable = 'rails.csv'\n"));
   EXPECT_EQ(inputs.code, 0) << inputs.err;
   std::istringstream lines(inputs.out);
   std::set<std::string> names;
   for (std::string line; std::getline(lines, line);)
     names.insert(fs::path(line).filename().string());
-  EXPECT_EQ(names, (std::set<std::string>{"new.h5", "r.txt", "rails.csv", "worn.h5"}));
+  EXPECT_EQ(names, (std::set<std::string>{"new.h5", "r.txt", "rails.csv", "wheel.h5", "worn.h5"}));
 }
 
 TEST_F(Sweep, EachCaseIsWhatSolveSaysOfIt) {

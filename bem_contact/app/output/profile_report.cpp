@@ -63,10 +63,11 @@ std::string gauged_text(const ProfileFindings& found) {
         fmt::format("  flange: Sh {:.2f} mm, Sd {:.2f} mm, qR {:.2f} mm (height, thickness 10 mm above the "
                     "tread, steepness; EN 15313)\n",
                     f->Sh, f->Sd, f->qR);
+  const auto no_minus = [](double mm) { return std::abs(mm) < 0.005 ? 0.0 : mm; }; // no "-0.00"
   if (const auto& w = found.wear)
     out += fmt::format("  wear: W1 {:.2f} mm, W2 {:.2f} mm, W3 {:.2f} mm (down on the axis, across {:g} mm "
                        "below the top, at 45 degrees)\n",
-                       w->W1, w->W2, w->W3, head_wear_depth);
+                       no_minus(w->W1), no_minus(w->W2), no_minus(w->W3), head_wear_depth);
   return out;
 }
 
