@@ -100,8 +100,8 @@ ExitCode convert(const std::string& input, const std::filesystem::path& name, bo
   }
   if (json)
     print_out("{}\n", record::to_json(headed(from_contact_format)
-                                           .add("cases", std::move(all))
-                                           .add("broken", broken ? broken->what() : "")));
+                                          .add("cases", std::move(all))
+                                          .add("broken", broken ? broken->what() : "")));
   if (broken)
     throw InputError(*broken);
   if (without == 0)
