@@ -78,7 +78,8 @@ std::optional<FlangeNumbers> flange_numbers(const ProfileCurve& wheel, double ta
     return std::nullopt;
   const CurvePoint tip = extreme(wheel, -1);
   const double tread = wheel.at(0).position.z, height = tip.position.z - tread;
-  if (height < lowest_flange || tip.position.y > 0)
+  const bool ends_there = tip.s > wheel.s_end() - gauging_step; // a face that was cut off has no tip
+  if (height < lowest_flange || tip.position.y > 0 || ends_there)
     return std::nullopt;
   // The last place on the way to the tip: a worn face may hang over.
   const auto face_at = [&](double z) {
