@@ -280,8 +280,7 @@ ErrorParts temperature_parts(const ContactGrid& grid, const std::vector<double>&
   return {.change = std::abs(fine[i] - std::ranges::max(coarse)),
           .local = (fine[i] - bulk) / contact,
           .peak = beside,
-          .fixed = missing_heat * std::abs(fine[i] - std::ranges::max(other)) +
-                   heat_between * (fine[i] - bulk) / std::sqrt(double(contact))};
+          .fixed = missing_heat * std::abs(fine[i] - std::ranges::max(other))};
 }
 
 /// Sets the errors of the highest temperatures.
@@ -294,8 +293,13 @@ void estimate_temperatures(const ContactProblem& problem, const ContactResult& r
       problem, result,
       problem.friction_falls_with_heat() ? friction_work_density(result) : dissipated_in_slip(result));
   const auto parts_of = [&](std::vector<double> SurfaceTemperatures::*surface, const ThermalBody& body) {
-    return temperature_parts(problem.grid, (*result.temperatures).*surface, (*coarse.temperatures).*surface,
-                             other.*surface, body.temperature, fine.contact);
+    const std::vector<double>& found = (*result.temperatures).*surface;
+    ErrorParts out = temperature_parts(problem.grid, found, (*coarse.temperatures).*surface, other.*surface,
+                                       body.temperature, fine.contact);
+    if (fine.adhesion > 0)
+      out.fixed +=
+          heat_between * (std::ranges::max(found) - body.temperature) / std::sqrt(double(fine.contact));
+    return out;
   };
   parts.Tmax_rail = parts_of(&SurfaceTemperatures::rail, problem.heating->rail);
   parts.Tmax_wheel = parts_of(&SurfaceTemperatures::wheel, problem.heating->wheel);
