@@ -62,11 +62,12 @@ RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, c
 struct RollingSpeed {
   double radius = 0;            ///< V / omega at xi = 0, mm
   double wheel = 1, roller = 1; ///< speeds of the surfaces at the reference point at xi = 0, over V
-  bool on_roller = false;
+  bool on_roller = false;       ///< creepage counts from the mean speed of both surfaces
 
   double radius_at(double xi) const; ///< V / omega with this creepage, mm
   double xi_at(double radius) const; ///< the creepage with which it is that
 };
+/// That of a wheel on a rail or roller, at the reference point, with this creepage.
 RollingSpeed rolling_speed(const WheelOnRail& pair, const ReferencePoint& reference,
                            const Creepage& creepage);
 

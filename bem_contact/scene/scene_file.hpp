@@ -94,11 +94,11 @@ struct SceneFile {
     struct LeftSide {
       std::string profile;    ///< y to the field side; "": nothing differs
       ProfileReading reading; ///< how its file is read
-      std::string influence;
+      std::string influence;  ///< its influence file; "": none
 
       bool operator==(const LeftSide&) const = default;
     };
-    LeftSide left_rail, left_wheel;
+    LeftSide left_rail, left_wheel; ///< the bodies of the left side
     std::optional<double> left_rail_inclination =
         {}; ///< left_rail.inclination, rad; empty: as position.rail_inclination
     std::optional<double> left_friction = {};     ///< Coulomb's mu

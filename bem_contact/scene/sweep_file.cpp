@@ -292,12 +292,15 @@ SceneFile SweepScenes::scene(std::size_t index) {
     reader_.emplace(sweep_.text);
   for (const SceneChange& change : sweep_.changes(index))
     reader_->set(change);
+  return reader_->scene();
+}
+
+void SweepScenes::require_effect() const {
   std::vector<std::string> swept;
   for (const SweepFile::Axis& axis : sweep_.axes)
     if (axis.values.size() > 1)
       swept.push_back(axis.key);
   reader_->require_effect(swept);
-  return reader_->scene();
 }
 
 std::string SweepFile::describe(std::size_t index) const {
@@ -412,11 +415,34 @@ std::set<std::size_t> cases_to_check(const SweepFile& sweep, CaseRange cases) {
   return checked;
 }
 
+/// Throws InputError where each case has a swept key that another one overrules.
+void require_effects(const SweepFile& sweep, const std::set<std::size_t>& cases) {
+  SweepScenes scenes(sweep);
+  std::optional<InputError> first;
+  for (const std::size_t index : cases) {
+    try {
+      scenes.scene(index);
+    } catch (const InputError&) { // it is refused for a reason of its own
+      return;
+    }
+    try {
+      return scenes.require_effect();
+    } catch (const InputError& error) {
+      if (!first)
+        first = error;
+    }
+  }
+  if (first)
+    throw *first;
+}
+
 } // namespace
 
 void check_values(const SweepFile& sweep, CaseRange cases) {
+  const std::set<std::size_t> checked = cases_to_check(sweep, cases);
+  require_effects(sweep, checked);
   SweepScenes scenes(sweep);
-  for (const std::size_t index : cases_to_check(sweep, cases))
+  for (const std::size_t index : checked)
     scenes.scene(index);
 }
 
@@ -427,7 +453,9 @@ void check_cases(const SweepFile& sweep, CaseRange cases) {
   SweepScenes scenes(sweep);
   std::size_t refused = 0;
   std::string why;
-  for (const std::size_t index : cases_to_check(sweep, cases))
+  const std::set<std::size_t> checked = cases_to_check(sweep, cases);
+  require_effects(sweep, checked);
+  for (const std::size_t index : checked)
     try {
       scenes.scene(index);
     } catch (const InputError& error) {

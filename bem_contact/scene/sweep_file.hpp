@@ -88,6 +88,8 @@ public:
   explicit SweepScenes(const SweepFile& sweep) : sweep_(sweep) {} ///< which outlives this
   /// As SweepFile::scene().
   SceneFile scene(std::size_t index);
+  /// Throws InputError where a key of the scene() before overrules one that is swept.
+  void require_effect() const;
 
 private:
   const SweepFile& sweep_;

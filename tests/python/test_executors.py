@@ -106,7 +106,7 @@ class Executors(unittest.TestCase):
 
     def test_parts_of_a_sweep_are_kept_in_a_folder(self):
         """Whatever happens to the workers: the same call solves what is missing, and the program joins them."""
-        changes = {"motion.eta": 1e-4}
+        changes = {"motion.eta": 1e-4, "grid.mx": 100, "grid.ms": 100}  # else so little work is one part
         alone = bem_contact.sweep(SWEEP, changes)
         with tempfile.TemporaryDirectory() as folder:
             output = Path(folder, "parts")

@@ -41,7 +41,7 @@ const char* word_of(Yielding yielding); ///< "never", "once", "for ever", "once 
 
 /// A value with the point below which it is found.
 struct AtPoint {
-  double value = 0;
+  double value = 0;        ///< in the unit of what is found there
   double s = 0, depth = 0; ///< mm: on the rail's arc length, and along n
 };
 
@@ -62,10 +62,10 @@ struct PatchShakedown {
   AtPoint upper;       ///< load factor above which it does not (a closed cycle of plastic strain there)
   AtPoint dang_van, crossland; ///< MPa; largest below the surface, where they rise again with the depth
   double dang_van_surface = 0; ///< MPa; largest on the surface
-  Yielding yielding = Yielding::open;
-  double yield_shear = 0; ///< k, MPa
-  Section section;
-  SectionMaps maps;
+  Yielding yielding = Yielding::open; ///< what both bounds say
+  double yield_shear = 0;             ///< k, MPa
+  Section section;                    ///< where stresses are known below the patch
+  SectionMaps maps;                   ///< at its points
 
   double limit_pressure() const { return lower.value * pmax / yield_shear; } ///< pmax / k at the lower bound
 };

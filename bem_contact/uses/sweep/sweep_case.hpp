@@ -38,6 +38,7 @@ struct SweepCut {
 };
 /// Each case is a chunk where one takes long.
 SweepCut cut_of(std::size_t cases, double case_work);
+/// That of a sweep, by the work that its first case is foreseen to take. Reads what this case names.
 SweepCut cut_of(const SweepFile& sweep, const std::string& model, SequenceFiles& files);
 
 /// How cases are solved.
