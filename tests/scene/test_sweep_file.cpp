@@ -216,7 +216,7 @@ TEST(SweepFile, AKeyThatAnotherOverrulesIsNotSwept) {
   const auto message = [](const std::string& more, const std::string& swept) {
     const SweepFile sweep = parse_sweep_file("rail.profile = '60E1'\nwheel.profile = 'S1002'\n" + more +
                                              "[sweep]\n" + swept + " = [0.01, 0.02]\n");
-    return message_of([&] { sweep.scene(0); });
+    return message_of([&] { check_values(sweep, sweep.all()); });
   };
   const std::string axle = "wheelset.force = 1.6e5\n", load = "load.force = 8e4\n";
   EXPECT_THAT(message(axle + "wheelset.force_y = 2e4\n", "position.lateral"),

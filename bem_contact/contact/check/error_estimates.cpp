@@ -296,7 +296,7 @@ void estimate_temperatures(const ContactProblem& problem, const ContactResult& r
     const std::vector<double>& found = (*result.temperatures).*surface;
     ErrorParts out = temperature_parts(problem.grid, found, (*coarse.temperatures).*surface, other.*surface,
                                        body.temperature, fine.contact);
-    if (fine.adhesion > 0)
+    if (fine.T_gamma_in_slip < all_shown_power * fine.T_gamma)
       out.fixed +=
           heat_between * (std::ranges::max(found) - body.temperature) / std::sqrt(double(fine.contact));
     return out;

@@ -75,10 +75,12 @@ inline constexpr double moment_elongation = 0.95;
 /// power and in the highest temperature: the place of this heat is known to some elements only.
 inline constexpr double missing_power = 0.3;
 inline constexpr double missing_heat = 0.9;
-/// 1. Of the rise of temperature, times an element's size over the contact's, where some elements adhere: the
-/// border of slip lies between elements. Without it contacts of some 300 elements that nearly all slip were
-/// up to 1.5 times outside.
+/// 1. Of the rise of temperature, times an element's size over the contact's, where slip does not show all of
+/// the power: the border of slip lies between elements. Without it contacts of some 300 elements that nearly
+/// all slip were up to 1.5 times outside.
 inline constexpr double heat_between = 0.1;
+/// 1. Share of the power from which on slip shows all of it.
+inline constexpr double all_shown_power = 0.999;
 /// 1. Share of the power that slip must show where the error of a temperature is stated: else slip is in a
 /// zone narrower than an element, and a narrower one is hotter.
 inline constexpr double least_shown_power = 0.5;
