@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/sequence/scene_result.hpp"
+#include "bem_contact/sequence/uncertified.hpp"
 #include "bem_contact/uses/shakedown/fatigue_criteria.hpp"
 #include "bem_contact/uses/shakedown/melan.hpp"
 #include "bem_contact/uses/shakedown/residual_fields.hpp"
@@ -164,6 +165,7 @@ bool is_too_small(std::span<const int> elements, int columns) {
 } // namespace
 
 Shakedown shakedown_of(const SceneResult& solved, const ShakedownProperties& properties) {
+  require_certified(solved);
   validate(properties);
   if (!solved.result.certified())
     throw InputError("There is no shakedown of a result that did not converge",
