@@ -24,11 +24,16 @@ struct SolidOptions {
 /// that do not fit, and where nothing is asked for.
 void solid_command(const std::string& body_file, const std::string& mesh, const SolidOptions& options);
 
-/// `fem_influence BODY.toml MESH.msh --stresses OUT.csv --ellipse S A B P0 MU`: stresses below an elliptical
-/// contact in the body, and those of a half-space beside them. `ellipse` has five numbers: arc length of its
-/// middle, semi-axes along x and s (mm), largest pressure (MPa), friction. Throws InputError for files or
-/// numbers that do not fit.
-void stress_command(const std::string& body_file, const std::string& mesh, const std::string& output,
-                    const std::vector<double>& ellipse);
+/// What is asked of stress_command(). Texts are empty and the ellipse has no numbers where not given.
+struct StressOptions {
+  std::string output;          ///< file to write: .csv, .vtu, else HDF5
+  std::string result;          ///< file of bem_contact solve whose tractions load the body
+  std::string points;          ///< points of one's own (.csv)
+  std::vector<double> ellipse; ///< arc length of its middle, semi-axes along x and s (mm), p0 (MPa), friction
+};
+
+/// `fem_influence BODY.toml MESH.msh --stresses OUT.h5 --result RESULT.h5`: stresses below a contact in the
+/// body, and those of a half-space beside them. Throws InputError for files or numbers that do not fit.
+void stress_command(const std::string& body_file, const std::string& mesh, const StressOptions& options);
 
 } // namespace bem_contact::fem

@@ -79,8 +79,7 @@ element on itself: less than 0.1 %. It takes a minute or two and 3.5 GB of memor
 struct Arguments {
   std::string body, mesh;
   bool solid = false;
-  std::string stresses;        ///< file to write; "": none
-  std::vector<double> ellipse; ///< five numbers
+  fem::StressOptions stresses;
   fem::SolidOptions options;
 };
 
@@ -105,26 +104,33 @@ void add_options(CLI::App& app, Arguments& arguments) {
       ->check(CLI::Range(0, 2));
   add_output_option(app, "--vtu", arguments.options.vtu,
                     "With --solid: displacement field of the first loaded station, for ParaView (.vtu)");
-  add_output_option(
-      app, "--stresses", arguments.stresses,
-      "Write the stresses below an elliptical contact, with those of a half-space beside them (CSV)");
+  add_output_option(app, "--stresses", arguments.stresses.output,
+                    "Write the stresses below a contact, with those of a half-space beside them (.h5; .csv; "
+                    ".vtu for ParaView)");
+  app.add_option("--result", arguments.stresses.result,
+                 "With --stresses: what bem_contact solve -o wrote; its tractions load the body");
+  app.add_option("--points", arguments.stresses.points,
+                 "With --stresses: points of your own, a CSV file with s,depth (mm)");
   app.add_option(
-         "--ellipse", arguments.ellipse,
-         "With --stresses: arc length of the middle, semi-axes along x and s (mm), largest pressure (MPa), "
-         "friction")
+         "--ellipse", arguments.stresses.ellipse,
+         "With --stresses, in place of --result: a Hertz contact that slips; arc length of the middle, "
+         "semi-axes along x and s (mm), largest pressure (MPa), friction")
       ->expected(5);
   app.footer("Exit code 0: done; 2: wrong input; 1: anything else. More: fem_influence/README.md.");
 }
 
 void compute(const Arguments& arguments) {
   const fem::SolidOptions& options = arguments.options;
-  if (!arguments.stresses.empty() || !arguments.ellipse.empty()) {
-    if (arguments.solid || arguments.stresses.empty() || arguments.ellipse.empty() || !options.output.empty())
-      throw InputError("Stresses need a mesh of the section and a load",
-                       "--stresses and --ellipse belong together",
-                       "Give --stresses OUT.csv --ellipse S A B P0 MU.");
+  const fem::StressOptions& stresses = arguments.stresses;
+  if (!stresses.output.empty() || !stresses.ellipse.empty() || !stresses.result.empty() ||
+      !stresses.points.empty()) {
+    if (arguments.solid || stresses.output.empty() || stresses.ellipse.empty() == stresses.result.empty() ||
+        !options.output.empty())
+      throw InputError("Stresses need a mesh of the section and one load",
+                       "--stresses belongs to --result or to --ellipse, and to neither -o nor --solid",
+                       "Give --stresses OUT.h5 --result RESULT.h5.");
     if (fem::process_rank() == 0) // one process does it all
-      fem::stress_command(arguments.body, arguments.mesh, arguments.stresses, arguments.ellipse);
+      fem::stress_command(arguments.body, arguments.mesh, stresses);
   } else if (arguments.solid) {
     if (fem::process_rank() == 0) // one process does it all
       fem::solid_command(arguments.body, arguments.mesh, options);

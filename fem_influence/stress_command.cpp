@@ -1,16 +1,18 @@
 #include "fem_influence/commands.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/provenance.hpp"
 #include "bem_contact/profile/bodies/body_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
-#include "fem_influence/harmonic/stresses_inside.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/hdf5.hpp"
+#include "fem_influence/harmonic/body_stresses.hpp"
 #include "fem_influence/progress_bar.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ostream.h>
 
-#include <array>
 #include <cmath>
 #include <ostream>
 
@@ -28,60 +30,75 @@ EllipticalLoad load_of(const std::vector<double>& ellipse) {
   return load;
 }
 
-/// The largest value of one kind, and where it is.
-struct Peak {
-  double value = 0, depth = 0;
+/// The tractions on the body, and what is known of them.
+struct Load {
+  inside::SurfaceTractions tractions;
+  inside::Side side = inside::Side::rail;
+  double error = 0;
 };
 
-template <class Measure>
-Peak peak_of(const StressesInside& inside, std::vector<halfspace::Stress> StressesAtPoint::*which,
-             Measure measure) {
-  Peak out;
-  for (const StressesAtPoint& p : inside.points)
-    for (const halfspace::Stress& t : p.*which)
-      if (const double value = measure(t); value > out.value)
-        out = {value, p.depth};
+Load load_on(const BodyFile& body, const ProfileCurve& curve, const StressOptions& options) {
+  if (options.result.empty())
+    return {tractions_of(load_of(options.ellipse), body.material.poisson), inside::Side::rail, 0};
+  const record::Record result = record::read_hdf5(options.result);
+  const inside::Side side = inside::side_of(result, curve.digest());
+  Load out{inside::read_tractions(result, side), side, inside::traction_error(result)};
+  if (std::abs(out.tractions.poisson - body.material.poisson) > 1e-9)
+    throw InputError(
+        "The body has another material than the result",
+        fmt::format("Poisson's ratios are {:g} and {:g}", body.material.poisson, out.tractions.poisson),
+        "Correct [material] of the body file, or solve the scene again.");
   return out;
 }
 
-void print(const StressesInside& inside) {
-  fmt::print(stderr, "{} unknowns, {} wavenumbers, {} points\n", inside.unknowns, inside.wavenumbers,
-             inside.points.size());
-  using Kind = std::pair<const char*, double (*)(const halfspace::Stress&)>;
-  for (const auto& [name, measure] :
-       {Kind{"largest shear", halfspace::largest_shear}, Kind{"von Mises", halfspace::von_mises}}) {
-    const Peak body = peak_of(inside, &StressesAtPoint::body, measure),
-               flat = peak_of(inside, &StressesAtPoint::flat, measure);
-    fmt::print(stderr,
-               "  {}: {:.1f} MPa {:.2f} mm deep in the body, {:.1f} MPa {:.2f} mm deep in a half-space "
-               "({:+.1f} %)\n",
-               name, body.value, body.depth, flat.value, flat.depth, 100 * (body.value / flat.value - 1));
-  }
+/// An HDF5 file of ours may be made again; what somebody else made is kept.
+void require_own_file(const std::filesystem::path& file) {
+  std::error_code unknown;
+  if (is_regular(file) && std::filesystem::file_size(file, unknown) > 0 && !kind_of(record::format_of(file)))
+    throw InputError(fmt::format("The file '{}' exists and would be replaced", file.string()),
+                     "bem_contact did not make it", "Give another output, or remove the file.");
 }
 
-void write(std::ostream& out, const StressesInside& inside) {
-  fmt::print(out, "s,depth,x,xx,ss,nn,xs,xn,sn,flat_xx,flat_ss,flat_nn,flat_xs,flat_xn,flat_sn\n");
-  for (const StressesAtPoint& p : inside.points)
-    for (std::size_t j = 0; j < inside.x.size(); ++j) {
-      fmt::print(out, "{:.6g},{:.6g},{:.6g}", p.s, p.depth, inside.x[j]);
-      for (const halfspace::Stress& t : {p.body[j], p.flat[j]})
-        fmt::print(out, ",{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}", t.xx, t.ss, t.nn, t.xs, t.xn, t.sn);
-      fmt::print(out, "\n");
-    }
+void write(const std::string& output, const inside::StressesInside& stresses) {
+  const std::string ending = std::filesystem::path(output).extension().string();
+  if (ending == ".csv")
+    write_text(output, [&](std::ostream& out) { write_csv(out, stresses); });
+  else if (ending == ".vtu")
+    write_text(output, [&](std::ostream& out) { write_vtu(out, stresses); });
+  else
+    record::write_hdf5(output, record::Record{{"format", record::Text{stresses_format}},
+                                              {"program", record::Text{provenance("fem_influence")}},
+                                              {"commit", record::Text{std::string(commit())}}}
+                                   .append(record_of(stresses)));
 }
 
 } // namespace
 
-void stress_command(const std::string& body_file, const std::string& mesh, const std::string& output,
-                    const std::vector<double>& ellipse) {
+void stress_command(const std::string& body_file, const std::string& mesh, const StressOptions& options) {
   const BodyFile body = read_body_file(body_file);
-  require_outputs({body_file, profile_file_of(body), mesh}, {{"--stresses", output, OutputForm::text}});
+  const bool is_text = options.output.ends_with(".csv") || options.output.ends_with(".vtu");
+  require_outputs({body_file, profile_file_of(body), mesh, options.result, options.points},
+                  {{"--stresses", options.output, is_text ? OutputForm::text : OutputForm::whole_file}});
+  if (!is_text)
+    require_own_file(options.output);
   const ProfileCurve curve = body_profile(body);
+  const Load load = load_on(body, curve, options);
+  const std::vector<inside::BelowSurface> own = options.points.empty()
+                                                    ? std::vector<inside::BelowSurface>{}
+                                                    : inside::read_points_below(options.points);
+  inside::StressesInside stresses = inside::halfspace_inside(load.tractions, load.side, own);
+  if (stresses.areas.empty())
+    throw InputError("There is no patch with stresses worth looking at",
+                     "none has four rows and columns of elements", "Solve the scene with smaller elements.");
+  stresses.traction_error = load.error;
   ProgressBar bar("wavenumbers");
-  const StressesInside inside = stresses_inside(
-      body, curve, mesh, load_of(ellipse), [&](std::size_t done, std::size_t all) { bar.show(done, all); });
-  print(inside);
-  write_text(output, [&](std::ostream& out) { write(out, inside); });
+  add_body_stresses(stresses, load.tractions, body, curve, mesh,
+                    [&](std::size_t done, std::size_t all) { bar.show(done, all); });
+  fmt::print(stderr, "{} unknowns, {} wavenumbers\n", stresses.unknowns, stresses.wavenumbers);
+  for (std::size_t k = 0; k < stresses.areas.size(); ++k)
+    fmt::print(stderr, "  {} {} of the {}: {}\n", own.empty() ? "patch" : "points", k + 1,
+               name_of(stresses.side), in_words(stresses, stresses.areas[k]));
+  write(options.output, stresses);
 }
 
 } // namespace bem_contact::fem

@@ -50,6 +50,7 @@ Command add_creep_curves(CLI::App& program); ///< forces over creepages
 Command add_table(CLI::App& program);        ///< tables of forces, and values of such a table
 Command add_wear(CLI::App& program);         ///< profiles wear under a load collective
 Command add_fatigue(CLI::App& program);      ///< shakedown, damage and stresses of each case of a sweep
+Command add_stresses(CLI::App& program);     ///< which stresses are inside wheel and rail?
 Command add_shakedown(CLI::App& program);    ///< does the steel below a contact yield for ever?
 Command add_wheelset(CLI::App& program);     ///< both wheels under the forces on their axle
 Command add_study(CLI::App& program);        ///< all answers to one scene
@@ -59,8 +60,8 @@ Command add_plot(CLI::App& program);         ///< a picture of a file; Python dr
 
 /// All of them, in the order of the program's help.
 inline constexpr Command (*all_commands[])(CLI::App& program) = {
-    add_new,       add_from_contact, add_solve,    add_compare,      add_check,   add_info, add_influence,
-    add_profile,   add_sweep,        add_conicity, add_creep_curves, add_table,   add_wear, add_fatigue,
-    add_shakedown, add_wheelset,     add_study,    add_report,       add_explore, add_plot};
+    add_new,      add_from_contact, add_solve,    add_compare,      add_check,  add_info,    add_influence,
+    add_profile,  add_sweep,        add_conicity, add_creep_curves, add_table,  add_wear,    add_fatigue,
+    add_stresses, add_shakedown,    add_wheelset, add_study,        add_report, add_explore, add_plot};
 
 } // namespace bem_contact::app

@@ -14,29 +14,35 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-py::dict shakedown_of_result(const PythonResult& result, double yield_shear, double dang_van_a,
-                             std::optional<double> alpha, bool in_plane) {
+py::dict shakedown_of_result(const PythonResult& result, std::optional<double> yield_shear,
+                             std::optional<double> dang_van_a, std::optional<double> alpha, bool in_plane,
+                             const std::string& steel) {
   if (!result.solved)
     throw InputError("shakedown needs a result that was solved here",
                      "one that was pickled holds only its properties", "Solve the scene again.");
-  const shakedown::ShakedownProperties properties{
-      yield_shear, in_plane ? shakedown::Residual::in_plane : shakedown::Residual::all, dang_van_a, alpha};
+  shakedown::ShakedownProperties properties =
+      steel.empty() ? shakedown::ShakedownProperties{} : shakedown::properties_of(steel);
+  properties.yield_shear = yield_shear.value_or(properties.yield_shear);
+  properties.dang_van_a = dang_van_a.value_or(properties.dang_van_a);
+  properties.alpha = alpha;
+  properties.residual = in_plane ? shakedown::Residual::in_plane : shakedown::Residual::all;
   return as_dict(record_of(shakedown::shakedown_of(*result.solved, properties), properties));
 }
 
 } // namespace
 
 void add_shakedown(py::module_& module) {
-  const shakedown::ShakedownProperties steel;
   module.def(
-      "shakedown", &shakedown_of_result, "result"_a, "yield_shear"_a = steel.yield_shear,
-      "dang_van_a"_a = steel.dang_van_a, "alpha"_a = py::none(), "in_plane"_a = false,
+      "shakedown", &shakedown_of_result, "result"_a, "yield_shear"_a = py::none(),
+      "dang_van_a"_a = py::none(), "alpha"_a = py::none(), "in_plane"_a = false, "steel"_a = "",
       "Whether the steel below each patch of a Result yields never, once or for ever while it passes again "
       "and again: "
       "`patches` with the load factors `first_yield`, `shakedown` (lower bound) and `shakedown_upper`, with "
       "`dang_van` and `crossland` (MPa), and where each is decided (s, depth; mm); `sections` by number of "
       "the patch, "
-      "with maps [s][depth] of the same and of the residual stresses. `yield_shear`: k, MPa; `alpha`: "
+      "with maps [s][depth] of the same and of the residual stresses. `yield_shear`: k, MPa, by default 300; "
+      "`steel`: such as R260 or ER7, "
+      "whose fatigue limit, a and k are then taken; `alpha`: "
       "Crossland's, by "
       "default that of a steel with this Dang Van's a; `in_plane`: without residual shear along the track.");
 }

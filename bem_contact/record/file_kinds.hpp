@@ -17,6 +17,7 @@ inline constexpr const char* conicity_format = "bem_contact conicity 2";
 inline constexpr const char* conicity_map_format = "bem_contact conicity map 1";
 inline constexpr const char* creep_curves_format = "bem_contact creep curves 2";
 inline constexpr const char* fatigue_format = "bem_contact fatigue 2";
+inline constexpr const char* stresses_format = "bem_contact stresses 1";
 inline constexpr const char* shakedown_format = "bem_contact shakedown 1";
 inline constexpr const char* table_format = "bem_contact table 4";
 inline constexpr const char* wear_format = "bem_contact wear 2";
@@ -45,6 +46,8 @@ inline constexpr FileKind file_kinds[] = {
     {creep_curves_format, "Creep curves", "creep curves", "creep curves", "creep-curves"},
     {fatigue_format, "Fatigue of each patch of a load collective", "fatigue",
      "the fatigue of a load collective", "fatigue"},
+    {stresses_format, "Stresses inside a body while a contact passes", "stresses",
+     "the stresses of a contact", "stresses"},
     {shakedown_format, "Does the steel below a contact yield never, once or for ever?", "shakedown",
      "the shakedown of a contact", "shakedown"},
     {table_format, "A table of contact forces", "table"},

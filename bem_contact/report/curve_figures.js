@@ -212,13 +212,24 @@ const shakedownFigure = ({patches: p}) => {
 /// A map over the section below a patch; values above `most` are drawn as that. `place`: a cross.
 const sectionMapFigure = (section, name, title, place, most = Infinity) => {
   const s = section.s.values, depth = section.depth.values, values = section[name].values;
-  const traces = [{type: "contour", x: s, y: depth, z: depth.map((_, n) => s.map((_, m) => Math.min(most, values[m * depth.length + n]))),
+  const traces = [{type: "contour", x: s, y: depth, z: depth.map((_, n) => s.map((_, m) => values[m * depth.length + n] === null ? null : Math.min(most, values[m * depth.length + n]))),
                    colorscale: STRESS, contours: {showlabels: true, labelfont: {size: 10, color: INK}},
                    colorbar: {title: {text: title, side: "right"}, thickness: 14}}];
   if (place)
     traces.push({type: "scatter", mode: "markers", x: [place.s], y: [place.depth], name: "where the limit is decided",
                  marker: {symbol: "cross-thin", size: 14, line: {color: INK, width: 2}}});
   return {height: 360, traces, layout: {xaxis: {title: "s along the rail, mm"}, yaxis: {title: "depth, mm", autorange: "reversed"}, showlegend: false}};
+};
+
+/// Largest stresses of a passage over the depth below one point of the surface: of the body, and of a half-space dashed.
+const depthFigure = (section, at, names) => {
+  const depth = section.depth.values, traces = [], colours = [RAIL, WHEEL];
+  names.forEach(([name, title], i) => [["", "solid", ""], ["halfspace_", "dash", ", half-space"]].forEach(([prefix, dash, of]) => {
+    if (section[prefix + name])
+      traces.push({type: "scatter", mode: "lines", name: title + of, x: depth.map((_, n) => section[prefix + name].values[at * depth.length + n]), y: depth,
+                   line: {color: colours[i], dash}});
+  }));
+  return {height: 360, traces, layout: {xaxis: {title: "MPa", rangemode: "tozero"}, yaxis: {title: "depth, mm", autorange: "reversed"}}};
 };
 
 /// A column of a table over another one, as marks.

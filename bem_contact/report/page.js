@@ -260,15 +260,41 @@ const addFatigue = () => {
              "Patches", "fatigue-patches");
 };
 
+/// Stresses inside a body while a contact passes.
+const addStresses = () => {
+  const p = data.patches, text = (name, unit) => `${number(p[name].values[0], p[`${name}_error`]?.values[0])} ${unit}`, change = p.von_mises_change.values[0];
+  addLarge([["von_mises", words("von_mises"), text("von_mises", "MPa")], ["depth", "its depth", text("von_mises_depth", "mm")],
+            ["largest_shear", "largest shear stress", text("largest_shear", "MPa")], ["shear-depth", "its depth", text("largest_shear_depth", "mm")],
+            ["mean", "hydrostatic stress there", text("mean_stress", "MPa")],
+            change === null ? ["pmax", words("pmax"), text("pmax", "MPa")] : ["change", "more than a half-space", `${number(Number((100 * change).toFixed(1)))} %`]]);
+  Object.entries(data.sections).filter(([, section]) => section.von_mises.shape.length === 2).forEach(([k, section]) => {
+    const at = Number(k) - 1, place = {s: p.von_mises_s.values[at], depth: p.von_mises_depth.values[at]}, s = section.s.values;
+    const nearest = s.reduce((best, value, i) => Math.abs(value - place.s) < Math.abs(s[best] - place.s) ? i : best, 0);
+    addFigure(`von_mises-${k}`, `Patch ${k}: largest stress of von Mises while it passes. The cross is where it is largest.`, sectionMapFigure(section, "von_mises", "MPa", place));
+    addFigure(`depth-${k}`, `Patch ${k}: largest stresses over the depth, below s = ${number(s[nearest])} mm.`,
+              depthFigure(section, nearest, [["von_mises", "von Mises"], ["largest_shear", "largest shear"]]));
+  });
+  addColumns(p, ["s", "pmax", "von_mises", "von_mises_s", "von_mises_depth", "mean_stress", "largest_shear", "largest_shear_depth", "halfspace_von_mises", "halfspace_largest_shear",
+                 "von_mises_change", "largest_shear_change"], "Patches", "stresses-patches");
+};
+
 /// What the passages of a contact do to the steel below it.
 const addShakedown = () => {
   const p = data.patches, one = name => valueOf(data, name), largestPlaces = [["dang_van", "Dang Van, MPa"], ["residual_xx", "residual stress along the track at that limit, its deviator, MPa"]];
-  Object.entries(data.sections).forEach(([k, section]) =>
+  const sections = Object.entries(data.sections ?? {}); // none of a load collective
+  if (data.envelope)
+    add("p", `Cases ${one("cases")}: ${data.attributes.in_words}.`, page, {id: `${idPrefix}shakedown-words`});
+  sections.forEach(([k, section]) =>
     add("p", `Patch ${k}: the steel ${section.attributes.in_words}.`, page, {id: `${idPrefix}shakedown-words-${k}`}));
   addLarge([["shakedown", "shakedown factor, at least", number(Math.min(...p.shakedown.values))], ["shakedown_upper", "at most", number(Math.min(...p.shakedown_upper.values))],
             ["first_yield", "first yield, load factor", number(Math.min(...p.first_yield.values))], largest(p, "dang_van", "largest stress of Dang Van"),
             largest(p, "crossland", "largest stress of Crossland"), ["yield_shear", "yield stress in shear, k", `${number(one("yield_shear"))} MPa`]]);
-  Object.entries(data.sections).forEach(([k, section]) => {
+  if (data.envelope) {
+    addFigure("envelope", "Largest stress of Dang Van of all cases.", sectionMapFigure(data.envelope, "dang_van", "MPa", {s: one("dang_van_s"), depth: one("dang_van_depth")}));
+    if (one("damage") > 0)
+      addFigure("damage", "Damage of one passage, mean over the collective.", sectionMapFigure(data.envelope, "damage", "", {s: one("damage_s"), depth: one("damage_depth")}));
+  }
+  sections.forEach(([k, section]) => {
     const at = Number(k) - 1, place = {s: p.shakedown_s.values[at], depth: p.shakedown_depth.values[at]};
     addFigure(`limits-${k}`, `Patch ${k}: how large the load may be before no residual stress keeps a point elastic (1: the load of the scene). The cross is where the limit is decided.`,
               sectionMapFigure(section, "cycle", "load factor", place, 6));
@@ -384,7 +410,7 @@ const addScene = () => {
 };
 
 const TITLE_OF = {result: "Contact of wheel and rail", comparison: "Comparison of models", sweep: "Sweep", "creep curves": "Creep curves",
-                  conicity: "Conicity", wheelset: "Wheelset", wear: "Wear", profile: "Profile", study: "Study", fatigue: "Fatigue", shakedown: "Shakedown", table: "Table of forces",
+                  conicity: "Conicity", wheelset: "Wheelset", wear: "Wear", profile: "Profile", study: "Study", fatigue: "Fatigue", stresses: "Stresses inside a body", shakedown: "Shakedown", table: "Table of forces",
                   "conicity map": "Conicities", "wear of one contact": "Wear", "influence file": "Influence functions", mesh: "Mesh of a body"};
 
 const partsOf = study => Object.entries(study.parts).sort(([, a], [, b]) => a.study_order.values[0] - b.study_order.values[0]);
@@ -425,7 +451,7 @@ const addStudy = () => {
 };
 
 const ADDED = {result: addResult, comparison: addComparison, sweep: addSweep, "creep curves": addCreepCurves, conicity: addConicity, wheelset: addWheelset,
-               wear: addWear, profile: addProfile, study: addStudy, fatigue: addFatigue, shakedown: addShakedown, "conicity map": addConicityMap, table: addForceTable,
+               wear: addWear, profile: addProfile, study: addStudy, fatigue: addFatigue, stresses: addStresses, shakedown: addShakedown, "conicity map": addConicityMap, table: addForceTable,
                "wear of one contact": addContactWear, "influence file": addInfluenceFile, mesh: addMesh};
 
 /// What a page says before its numbers.
@@ -434,6 +460,8 @@ const inWords = () => {
     return `Rigid wheelsets with ${linesOf(data.wheels).length} profiles of wheels on ${linesOf(data.rails).length} of rails. The equivalent conicity (EN 15302) is the slope ` +
            `of the cone with the same wavelength, for an amplitude of ${number(valueOf(data, "amplitude"))} mm.` + (!data.noise ? "" :
            ` The points of the profiles scatter by ${number(valueOf(data, "noise"))} mm in ${valueOf(data, "all_draws")} draws.`);
+  if (report.kind === "stresses" || (report.kind === "shakedown" && !data.scene_text))
+    return `${data.attributes.in_words[0].toUpperCase()}${data.attributes.in_words.slice(1)}.`;
   if (report.kind === "influence file")
     return `How the surface of ${data.attributes.body} moves under unit tractions on its strip, computed by finite elements (${data.attributes.method}).`;
   if (report.kind === "mesh") {

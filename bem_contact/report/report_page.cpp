@@ -36,7 +36,7 @@ std::string page_of(const Record& file, const std::filesystem::path& path) {
   throw InputError(fmt::format("'{}' cannot be reported", path.string()),
                    "it is HDF5, but no file of answers of bem_contact and no influence file",
                    "Name a file that solve, compare, sweep, creep-curves, conicity, wheelset, table, wear, "
-                   "fatigue, shakedown or study of bem_contact wrote, or an influence file.");
+                   "fatigue, stresses, shakedown or study of bem_contact wrote, or an influence file.");
 }
 
 /// What no figure draws.
@@ -59,6 +59,12 @@ bool left_out(std::string_view path) {
   constexpr std::array of_cases{"reason", "model", "side", "frame", "friction", "quantities",
                                 "dx",     "ds",    "x",    "s",     "y",        "z",
                                 "delta",  "state", "p_n",  "p_x",   "p_s"};
+  if (name.starts_with("sections/") || name.starts_with("patches/")) { // all of stresses but their tensors
+    constexpr std::array tensors{"xx", "ss", "nn", "xs", "xn", "sn", "columns", "s_knots", "depth_knots"};
+    constexpr std::string_view of_flat = "halfspace_";
+    const std::string_view component = last.starts_with(of_flat) ? last.substr(of_flat.size()) : last;
+    return name.starts_with("sections/") && std::ranges::find(tensors, component) != tensors.end();
+  }
   const bool of_case = name.starts_with("cases/") && name.find('/', 6) != name.npos;
   return (of_case && std::ranges::find(of_cases, last) == of_cases.end()) ||
          (name.starts_with("inputs/") && last == "content") || last == "structure" || last == "step_fields" ||

@@ -10,6 +10,8 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/fe/mapping_q_cache.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/grid_tools_cache.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/lac/affine_constraints.h>
 
@@ -167,6 +169,33 @@ void Section::for_each_cell(const std::function<void(const CellView&)>& visit) c
     visit({nodes.nodes, points, nodes.resolve(value), nodes.resolve(d_dy), nodes.resolve(d_dz),
            plain(cell->center())});
   }
+}
+
+std::vector<PointShapes> Section::shapes_at(std::span<const Point2> points) const {
+  using namespace dealii;
+  const GridTools::Cache<2> cache(impl_->mesh, impl_->mapping);
+  const unsigned n = impl_->element.n_dofs_per_cell();
+  std::vector<types::global_dof_index> dofs(n);
+  std::vector<PointShapes> out;
+  for (const Point2 p : points) {
+    PointShapes& here = out.emplace_back();
+    const auto [cell, at] = GridTools::find_active_cell_around_point(cache, dealii::Point<2>(p.y, p.z));
+    if (cell.state() != IteratorState::valid)
+      continue; // beside the section
+    const DoFHandler<2>::active_cell_iterator found(&impl_->mesh, cell->level(), cell->index(), &impl_->dofs);
+    FEValues<2> values(impl_->mapping, impl_->element, Quadrature<2>(at), update_values | update_gradients);
+    values.reinit(found);
+    found->get_dof_indices(dofs);
+    std::vector<double> value(n), d_dy(n), d_dz(n);
+    for (unsigned a = 0; a < n; ++a) {
+      value[a] = values.shape_value(a, 0);
+      d_dy[a] = values.shape_grad(a, 0)[0];
+      d_dz[a] = values.shape_grad(a, 0)[1];
+    }
+    const CellNodes nodes(dofs, impl_->hanging, impl_->node);
+    here = {nodes.nodes, nodes.resolve(value), nodes.resolve(d_dy), nodes.resolve(d_dz)};
+  }
+  return out;
 }
 
 void Section::for_each_contact_edge(const std::function<void(const EdgeView&)>& visit) const {

@@ -29,6 +29,12 @@ struct CellView {
   Point2 centre;
 };
 
+/// The shapes of a cell at a point in it.
+struct PointShapes {
+  std::vector<int> nodes;
+  std::vector<double> value, d_dy, d_dz; ///< [local node]
+};
+
 /// One edge of the contact strip: ends a, b (on the profile curve), quadrature at the part t of the way from
 /// a to b with weights that add up to 1. The edge is curved: t is the part of the arc length.
 struct EdgeView {
@@ -56,6 +62,8 @@ public:
 
   Elements cells() const; ///< nodes of each cell, as for_each_cell() has them
   void for_each_cell(const std::function<void(const CellView&)>& visit) const;
+  /// At each of these points; no nodes where the section is not there.
+  std::vector<PointShapes> shapes_at(std::span<const Point2> points) const;
   void for_each_contact_edge(const std::function<void(const EdgeView&)>& visit) const;
 
 private:

@@ -36,6 +36,40 @@ TEST_F(ShakedownCommand, EveryDoorSaysTheSame) {
   EXPECT_EQ(json["sections"]["1"]["cycle"].size(), json["sections"]["1"]["s"].size());
 }
 
+/// A result, its stresses in a file, and the shakedown of these: what the scene gives.
+TEST_F(ShakedownCommand, TakesStressesOfAFile) {
+  const std::string file = write("circle.toml", circle).string(), result = (folder_ / "r.h5").string(),
+                    stresses = (folder_ / "s.h5").string();
+  ASSERT_EQ(run("solve '" + file + "' -o '" + result + "'").code, 0);
+  const Outcome said = run("stresses '" + result + "' -o '" + stresses + "' --csv '" +
+                           (folder_ / "s.csv").string() + "' --vtu '" + (folder_ / "s.vtu").string() + "'");
+  ASSERT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("patch 1 of the rail: von Mises"));
+  EXPECT_EQ(run("stresses '" + stresses + "'").out, said.out);
+  const auto of_file = nlohmann::json::parse(run("shakedown '" + stresses + "' --json").out),
+             of_scene = nlohmann::json::parse(run("shakedown '" + file + "' --json").out);
+  EXPECT_NEAR(of_file["shakedown"].get<double>(), of_scene["shakedown"].get<double>(), 1e-6);
+  EXPECT_EQ(run("stresses '" + file + "'").code, 2);
+  EXPECT_EQ(run("stresses '" + result + "' --points '" + file + "'").code, 2);
+  EXPECT_EQ(run("stresses '" + result + "' --wheel").code, 2); // a patch has no wheel's profile
+  EXPECT_EQ(run("stresses '" + stresses + "' --wheel").code, 2);
+  EXPECT_EQ(run("stresses '" + result + "' --vtu '" + (folder_ / "s.csv").string() + "'").code, 2);
+}
+
+/// Steels, and load collectives.
+TEST_F(ShakedownCommand, OfASteelAndACollective) {
+  const std::string file = write("circle.toml", circle).string(),
+                    many = write("many.toml", circle + "[sweep]\nload.force = [500, 1000]\n").string();
+  EXPECT_THAT(run("shakedown '" + file + "' --steel ER7").out,
+              HasSubstr("% of the fatigue limit in torsion of ER7, 213 MPa"));
+  EXPECT_EQ(run("shakedown '" + file + "' --steel ER77").code, 2);
+  const Outcome said = run("shakedown '" + many + "' --steel R260");
+  EXPECT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("of 2 patches"));
+  const auto json = nlohmann::json::parse(run("shakedown '" + many + "' --json").out);
+  EXPECT_EQ(json["patches"]["case"][1], 1);
+}
+
 TEST_F(ShakedownCommand, RefusesWhatItCannotAnswer) {
   const std::string file = write("circle.toml", circle).string();
   EXPECT_EQ(run("shakedown '" + file + "' --yield-shear 0").code, 2);

@@ -78,6 +78,7 @@ READS = {
     "table": ("table.toml", ["table", "table.toml"]),
     "wear": ("scene.toml", ["wear", "scene.toml"]),
     "fatigue": ("sweep.toml", ["fatigue", "sweep.toml"]),
+    "stresses": (RESULT, ["stresses", RESULT]),
     "shakedown": ("scene.toml", ["shakedown", "scene.toml"]),
     "wheelset": ("wheelset.toml", ["wheelset", "wheelset.toml"]),
     "report": (RESULT, ["report", RESULT]),
@@ -85,7 +86,7 @@ READS = {
 }
 NO_FILE = {"check", "info", "explore"}
 FOLDERS = {"study", "from-contact"}  # tested below; wear is both
-OUTPUTS = {"-o": ".h5", "--csv": ".csv", "--vtk": ".vts", "--plot": ".html", "--text": ".txt"}
+OUTPUTS = {"-o": ".h5", "--csv": ".csv", "--vtk": ".vts", "--vtu": ".vtu", "--plot": ".html", "--text": ".txt"}
 
 
 class EveryCommand(InFolder):

@@ -98,7 +98,7 @@ class Report(unittest.TestCase):
         cls.files = {kind: cls.folder / f"{kind}.h5" for kind in ("result", "stresses", "cylinder", "comparison", "curves", "sweep", "cases",
                                                                    "conicity", "wheelset")}
         cls.files["wear"] = cls.folder / "worn" / "wear.h5"
-        cls.files |= {kind: cls.folder / f"{kind}.h5" for kind in ("fatigue", "shakedown", "rates", "table", "map", "axle_rates")}
+        cls.files |= {kind: cls.folder / f"{kind}.h5" for kind in ("fatigue", "inside", "shakedown", "collective", "rates", "table", "map", "axle_rates")}
         cls.files["study"] = cls.folder / "study" / "study.h5"
         cls.files["influence"] = ROOT / "data" / "influence" / "small_rail.h5"
         (cls.folder / "points.csv").write_text("xi,Fx,scatter\n1e-3,500,40\n2e-3,700,50\n3e-3,900,60\n")
@@ -116,6 +116,8 @@ class Report(unittest.TestCase):
                         ("wheelset", cls.folder / "wheelset.toml", "-o", cls.files["wheelset"]),
                         ("fatigue", cls.folder / "wear.toml", "-o", cls.files["fatigue"]),
                         ("shakedown", SCENES / "steady_rolling.toml", "-o", cls.files["shakedown"]),
+                        ("shakedown", cls.folder / "wear.toml", "--steel", "R260", "-o", cls.files["collective"]),
+                        ("stresses", cls.files["result"], "-o", cls.files["inside"]),
                         ("wear", cls.folder / "study.toml", "-o", cls.files["rates"]),
                         ("wear", SCENES / "wheelset.toml", "-o", cls.files["axle_rates"]),
                         ("table", cls.folder / "table.toml", "--tolerance", "0.2", "-o", cls.files["table"]),
@@ -322,6 +324,7 @@ class Report(unittest.TestCase):
                   "wear": ["film-rail", "film-wheel", "worn-rail", "worn-wheel", "wear-depth", "wear-area", "steps"],
                   "profile": ["outline", "curvature"],
                   "fatigue": ["shakedown", "stress-depth", "fatigue-patches"],
+                  "inside": ["von_mises-1", "depth-1", "stresses-patches"], "collective": ["envelope", "shakedown-patches"],
                   "shakedown": ["limits-1", "dang_van-1", "residual_xx-1", "shakedown-patches"],
                   "rates": ["worn-rows", "rates"], "axle_rates": ["worn-rows-left", "worn-rows-right", "rates-left", "rates-right"],
                   "table": ["table-errors", "table-Fx", "table-pmax", "table-columns", "table-axes"],
@@ -349,7 +352,7 @@ class Report(unittest.TestCase):
                     self.assertGreater(show.value(last), 0.02)
                 if kind == "mesh":
                     self.assertIn("good: the worst scaled Jacobian is 0.89", show.value("document.getElementById('words').textContent"))
-                if kind in ("fatigue", "shakedown", "rates", "table", "map", "influence", "mesh"):
+                if kind in ("fatigue", "inside", "shakedown", "collective", "rates", "table", "map", "influence", "mesh"):
                     self.assertEqual(show.value("document.querySelectorAll('.six dd').length"), 6, kind)
                     self.assertEqual(show.value("[...document.querySelectorAll('.six dd')].filter(d => /NaN|undefined|null/.test(d.textContent)).length"), 0, kind)
                 if kind == "map":

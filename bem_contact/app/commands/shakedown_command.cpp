@@ -1,18 +1,26 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/output_names.hpp"
+#include "bem_contact/app/output/repeat.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/json.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
-#include "bem_contact/uses/shakedown/shakedown_of_result.hpp"
+#include "bem_contact/uses/shakedown/collective.hpp"
+#include "bem_contact/uses/sweep/sweep_inputs.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <thread>
+#include <type_traits>
 
 namespace bem_contact::app {
 
@@ -28,10 +36,22 @@ You should see that the patch yields once, with a shakedown factor of 1.14, and 
 What stands behind it, and maps over the section: data/tutorial/shakedown.md.)";
 
 struct ShakedownArguments {
-  std::string scene, model, output;
+  std::string scene, model, output, steel;
   bool json = false, in_plane = false;
-  double alpha = -1; ///< below 0: of dang_van_a
-  shakedown::ShakedownProperties properties;
+  std::optional<double> yield_shear, dang_van_a, alpha, fatigue_limit; ///< nothing: of the steel, or usual
+
+  shakedown::ShakedownProperties properties() const {
+    shakedown::ShakedownProperties out =
+        steel.empty() ? shakedown::ShakedownProperties{} : shakedown::properties_of(steel);
+    out.residual = in_plane ? shakedown::Residual::in_plane : shakedown::Residual::all;
+    out.yield_shear = yield_shear.value_or(out.yield_shear);
+    out.dang_van_a = dang_van_a.value_or(out.dang_van_a);
+    out.alpha = alpha;
+    if (fatigue_limit)
+      out.fatigue_limit = fatigue_limit;
+    validate(out);
+    return out;
+  }
 };
 
 void print(const shakedown::Shakedown& found, const shakedown::ShakedownProperties& properties) {
@@ -39,11 +59,9 @@ void print(const shakedown::Shakedown& found, const shakedown::ShakedownProperti
     const shakedown::PatchShakedown& p = found.patches[k];
     fmt::print("patch {} at s = {:.2f} mm, pmax {:.0f} MPa: {}\n", k + 1, p.s, p.pmax,
                in_words(p, properties));
-    fmt::print("  Dang Van {:.1f} MPa {:.2f} mm deep (a = {:g}), Crossland {:.1f} MPa {:.2f} mm deep: "
-               "compare with the "
-               "fatigue limit in torsion\n",
+    fmt::print("  Dang Van {:.1f} MPa {:.2f} mm deep (a = {:g}), Crossland {:.1f} MPa {:.2f} mm deep: {}\n",
                p.dang_van.value, p.dang_van.depth, properties.dang_van_a, p.crossland.value,
-               p.crossland.depth);
+               p.crossland.depth, fatigue_in_words(p, properties));
   }
   if (found.patches.empty())
     fmt::print("no contact that is large enough to tell\n");
@@ -51,14 +69,53 @@ void print(const shakedown::Shakedown& found, const shakedown::ShakedownProperti
     fmt::print("{} more with fewer than four rows or columns of elements\n", found.too_small);
 }
 
-ExitCode run(ShakedownArguments arguments) {
-  shakedown::ShakedownProperties& properties = arguments.properties;
-  properties.residual = arguments.in_plane ? shakedown::Residual::in_plane : shakedown::Residual::all;
-  if (arguments.alpha >= 0)
-    properties.alpha = arguments.alpha;
-  validate(properties);
-  const GivenScene given = read_given_scene_for({{"--output", arguments.output, OutputForm::whole_file}},
-                                                arguments.scene, arguments.model);
+Output output_of(const ShakedownArguments& arguments) {
+  return {"--output", arguments.output, OutputForm::whole_file};
+}
+
+/// Writes, prints, or both. `head`: of a file.
+template <class Found>
+void say(const Found& found, const shakedown::ShakedownProperties& properties,
+         const ShakedownArguments& arguments, const std::function<record::Record()>& head) {
+  if (!arguments.output.empty())
+    record::write_hdf5(arguments.output, head().append(record_of(found, properties)));
+  if (arguments.json)
+    fmt::print("{}\n", record::to_json(headed(shakedown_format).append(record_of(found, properties))));
+  else if constexpr (std::is_same_v<Found, shakedown::Shakedown>)
+    print(found, properties);
+  else
+    fmt::print("{}\n", in_words(found, properties));
+}
+
+/// Of stresses that a file holds: of the real body where it has them.
+void of_stresses(const ShakedownArguments& arguments) {
+  require_named_outputs({arguments.scene}, {output_of(arguments)});
+  const record::Record file = record::read_hdf5(arguments.scene);
+  if (!arguments.model.empty())
+    throw InputError("--model belongs to a scene", "the stresses of this file are computed already",
+                     "Leave it out.");
+  const shakedown::ShakedownProperties properties = arguments.properties();
+  say(shakedown_of(inside::stresses_from(file), properties), properties, arguments,
+      [] { return headed(shakedown_format); });
+}
+
+/// Of all cases of a load collective.
+void of_sweep(const ShakedownArguments& arguments, const SceneText& text) {
+  const SweepFile sweep = parse_sweep_file(text);
+  if (!arguments.model.empty())
+    throw InputError("--model belongs to one scene", "a sweep names the model of its cases",
+                     "Give solver.model.");
+  check_values(sweep);
+  require_named_outputs(files_read(arguments.scene, sweep), {output_of(arguments)});
+  const shakedown::ShakedownProperties properties = arguments.properties();
+  const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  say(shakedown_of(sweep, properties, threads), properties, arguments,
+      [&] { return headed(shakedown_format, given_sweep(sweep, ""), arguments.output); });
+}
+
+void of_scene(const ShakedownArguments& arguments) {
+  const shakedown::ShakedownProperties properties = arguments.properties();
+  const GivenScene given = read_given_scene_for({output_of(arguments)}, arguments.scene, arguments.model);
   if (given.scene.wheelset.force)
     throw InputError("There is no shakedown of a wheelset", "each of its wheels has its own",
                      "Solve it with bem_contact wheelset, and give one wheel's scene.");
@@ -67,15 +124,20 @@ ExitCode run(ShakedownArguments arguments) {
   if (!certified(result))
     throw ConvergenceError("There is no shakedown of a result that is not certified",
                            why_not_certified(result), "Solve the scene alone to see why.");
-  const shakedown::Shakedown found = shakedown_of(result, properties);
-  if (!arguments.output.empty())
-    record::write_hdf5(
-        arguments.output,
-        headed(shakedown_format, given, arguments.output).append(record_of(found, properties)));
-  if (arguments.json)
-    fmt::print("{}\n", record::to_json(headed(shakedown_format).append(record_of(found, properties))));
-  else
-    print(found, properties);
+  say(shakedown_of(result, properties), properties, arguments,
+      [&] { return headed(shakedown_format, given, arguments.output); });
+}
+
+ExitCode run(const ShakedownArguments& arguments) {
+  if (!is_regular(arguments.scene)) { // a pipe can be read but once
+    of_scene(arguments);
+  } else if (is_hdf5(arguments.scene)) {
+    of_stresses(arguments);
+  } else if (const SceneText text = read_scene_text(arguments.scene); has_sweep(text)) {
+    of_sweep(arguments, text);
+  } else {
+    of_scene(arguments);
+  }
   return success;
 }
 
@@ -85,17 +147,25 @@ Command add_shakedown(CLI::App& program) {
   const auto arguments = std::make_shared<ShakedownArguments>();
   ShakedownArguments& a = *arguments;
   CLI::App* line = program.add_subcommand("shakedown", "Does the steel yield never, once or for ever?");
-  line->add_option("scene", a.scene, "Scene file (TOML)")->required();
+  line->add_option(
+          "scene", a.scene,
+          "Scene file (TOML), perhaps with [sweep]; or stresses (HDF5) of fem_influence or bem_contact "
+          "stresses")
+      ->required();
   add_model(*line, a.model);
   add_json(*line, a.json);
   add_output_option(*line, "-o,--output", a.output, "Write the same with maps over the section (HDF5)");
-  line->add_option("--yield-shear", a.properties.yield_shear, "k, the yield stress in shear, MPa")
-      ->check(CLI::Range(1.0, 1e4))
-      ->capture_default_str();
-  line->add_option("--dang-van", a.properties.dang_van_a,
-                   "Dang Van's a, the weight of the hydrostatic stress")
-      ->check(CLI::Range(0.0, 3.0))
-      ->capture_default_str();
+  line->add_option(
+      "--steel", a.steel,
+      "Of rails R200 to R400HT (EN 13674-1), of wheels ER6 to ER9 (EN 13262): their fatigue limit, "
+      "estimated, Dang Van's a, and k of wheels");
+  line->add_option("--yield-shear", a.yield_shear, "k, the yield stress in shear, MPa; by default 300")
+      ->check(CLI::Range(1.0, 1e4));
+  line->add_option("--fatigue-limit", a.fatigue_limit, "In torsion, MPa, for Dang Van's stress")
+      ->check(CLI::Range(1.0, 1e4));
+  line->add_option("--dang-van", a.dang_van_a,
+                   "Dang Van's a, the weight of the hydrostatic stress; by default 0.4")
+      ->check(CLI::Range(0.0, 3.0));
   line->add_option("--crossland", a.alpha, "Crossland's alpha; by default that of a steel with this a")
       ->check(CLI::Range(0.0, 3.0));
   line->add_flag(

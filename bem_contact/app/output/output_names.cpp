@@ -67,6 +67,8 @@ void require_named_outputs(const std::vector<std::filesystem::path>& inputs,
       require_own_file(output.file);
     } else if (output.option == "--vtk")
       require_ending(output, "a surface for ParaView in XML", {".vts"});
+    else if (output.option == "--vtu")
+      require_ending(output, "a grid for ParaView in XML", {".vtu"});
     else if (output.option == "--csv")
       require_ending(output, "a table in CSV", {".csv", ".txt"});
     else if (output.option == "--plot")

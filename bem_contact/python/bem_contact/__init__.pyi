@@ -294,10 +294,11 @@ def fatigue(
 
 def shakedown(
     result: Result,
-    yield_shear: float = 300,
-    dang_van_a: float = 0.4,
+    yield_shear: float | None = None,
+    dang_van_a: float | None = None,
     alpha: float | None = None,
     in_plane: bool = False,
+    steel: str = "",
 ) -> dict[str, Any]:
     """Whether the steel below each patch yields never, once or for ever; shakedown bounds, Dang Van, Crossland; maps over the section."""
 

@@ -73,8 +73,10 @@ void add_products(const SplinesAtPoint& s, int s_count, const SplinesAtPoint& n,
 
 } // namespace
 
-ResidualFields::ResidualFields(std::vector<double> s_knots, std::vector<double> depth_knots, Residual kind)
-    : s_knots_(std::move(s_knots)), depth_knots_(std::move(depth_knots)), kind_(kind) {}
+ResidualFields::ResidualFields(std::vector<double> s_knots, std::vector<double> depth_knots, Residual kind,
+                               double curvature)
+    : s_knots_(std::move(s_knots)), depth_knots_(std::move(depth_knots)), kind_(kind), curvature_(curvature) {
+}
 
 int ResidualFields::size() const {
   const int airy = count_of(s_knots_, airy_degree) * count_of(depth_knots_, airy_degree);
@@ -88,16 +90,19 @@ FieldsAtPoint ResidualFields::at(double s, double depth) const {
   if (s <= s_knots_.front() || s >= s_knots_.back() || depth < depth_knots_.front() ||
       depth >= depth_knots_.back())
     return out;
+  const double c = curvature_, h = 1 - c * depth;
   const int airy_s = count_of(s_knots_, airy_degree), airy_n = count_of(depth_knots_, airy_degree);
   add_products(splines_at(s_knots_, airy_degree, s), airy_s, splines_at(depth_knots_, airy_degree, depth),
-               airy_n, 0, out, [](const auto& f, const auto& g) {
-                 return deviator({.ss = f[0] * g[2], .nn = f[2] * g[0], .sn = -f[1] * g[1]});
+               airy_n, 0, out, [c, h](const auto& f, const auto& g) {
+                 return deviator({.ss = f[0] * g[2],
+                                  .nn = f[2] * g[0] / (h * h) - c / h * f[0] * g[1],
+                                  .sn = -f[1] * (g[1] / h + c / (h * h) * g[0])});
                });
   if (kind_ == Residual::all)
     add_products(splines_at(s_knots_, prandtl_degree, s), count_of(s_knots_, prandtl_degree),
                  splines_at(depth_knots_, prandtl_degree, depth), count_of(depth_knots_, prandtl_degree),
-                 airy_s * airy_n, out, [](const auto& f, const auto& g) {
-                   return deviator({.xs = f[0] * g[1], .xn = -f[1] * g[0]});
+                 airy_s * airy_n, out, [h](const auto& f, const auto& g) {
+                   return deviator({.xs = f[0] * g[1], .xn = -f[1] * g[0] / h});
                  });
   return out;
 }

@@ -6,17 +6,23 @@
 #include "bem_contact/uses/shakedown/fatigue_criteria.hpp"
 #include "bem_contact/uses/shakedown/melan.hpp"
 #include "bem_contact/uses/shakedown/residual_fields.hpp"
+#include "bem_contact/uses/shakedown/steels.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
+#include <optional>
 
 namespace bem_contact::shakedown {
 
 namespace {
 
-/// 1. A patch with fewer rows or columns has no stresses worth a limit.
-constexpr int least_across = 4;
+/// 1 (radius of a convex surface). Residual stresses reach no deeper.
+constexpr double most_of_the_radius = 0.8;
+/// 1 (smaller half width of the patch). A column of points beside the patch counts if it is as deep at least:
+/// twice as deep as where limits are decided.
+constexpr double least_depth_beside = 1;
 
 void require_between(double value, double least, double most, const char* name) {
   if (!(value >= least && value <= most))
@@ -30,7 +36,28 @@ double ShakedownProperties::crossland() const {
   return alpha.value_or(crossland_alpha(dang_van_a));
 }
 
+ShakedownProperties properties_of(const std::string& name) {
+  const Steel& steel = steel_of(name);
+  ShakedownProperties out;
+  out.yield_shear = steel.yield_shear().value_or(out.yield_shear);
+  out.dang_van_a = Steel::dang_van_a();
+  out.fatigue_limit = steel.torsion_limit();
+  out.steel = steel.name;
+  return out;
+}
+
+double PatchShakedown::fatigue_share() const {
+  return std::max(dang_van.value, dang_van_surface) / fatigue_limit;
+}
+double PatchShakedown::damage() const {
+  return std::isfinite(fatigue_limit)
+             ? 1 / cycles_of(std::max(dang_van.value, dang_van_surface), fatigue_limit)
+             : fatigue_limit;
+}
+
 void validate(const ShakedownProperties& p) {
+  if (p.fatigue_limit)
+    require_between(*p.fatigue_limit, 1, 1e4, "The fatigue limit in torsion");
   require_between(p.yield_shear, 1, 1e4, "The yield stress in shear");
   require_between(p.dang_van_a, 0, 3, "Dang Van's a");
   if (p.alpha)
@@ -66,17 +93,60 @@ FreeComponents free_components(Residual kind, bool surface) {
   return {true, true, shear, shear && !surface, !surface};
 }
 
+/// The largest block of points at which the body is, from the surface on, about the middle of the patch.
+/// Where the surface is convex, normals meet in its centre of curvature: it ends before.
+struct Block {
+  std::size_t first = 0, last = 0, depths = 0;    ///< of the points: columns from first to before last
+  double least_s = 0, most_s = 0, most_depth = 0; ///< mm
+
+  explicit Block(const inside::AreaStresses& area) {
+    const inside::Section& section = *area.section;
+    const auto deep = [&](std::size_t is) { // how many depths are there
+      std::size_t id = 0;
+      while (id < area.depths && area.curvature * section.depths[id] < most_of_the_radius &&
+             std::isfinite(area.best()[is * area.depths + id].front().xx))
+        ++id;
+      return id;
+    };
+    const std::size_t middle = area.rows / 2;
+    depths = deep(middle);
+    first = middle, last = middle + 1;
+    const auto fits = [&](std::size_t is) {
+      const std::size_t here = deep(is);
+      if (section.depths[here == 0 ? 0 : here - 1] < least_depth_beside * section.size)
+        return false;
+      depths = std::min(depths, here);
+      return true;
+    };
+    while (first > 0 && fits(first - 1))
+      --first;
+    while (last < area.rows && fits(last))
+      ++last;
+    least_s = first == 0 ? section.s_knots.front() : section.s[first];
+    most_s = last == area.rows ? section.s_knots.back() : section.s[last - 1];
+    most_depth = depths == area.depths ? section.depth_knots.back() : section.depths[depths - 1];
+  }
+};
+
 class Patch {
 public:
-  Patch(const SceneResult& solved, std::span<const int> elements, const ShakedownProperties& properties)
-      : properties_(properties), section_(section_below(solved.problem, elements)),
-        fields_(section_.s_knots, section_.depth_knots, properties.residual),
-        stresses_(stresses_of_passage(section_, solved.problem, solved.result, solved.bodies.rail_poisson)) {}
+  Patch(const inside::AreaStresses& area, const ShakedownProperties& properties)
+      : properties_(properties), section_(*area.section), curvature_(area.curvature) {
+    const Block block(area);
+    cut(block);
+    fields_.emplace(section_.s_knots, section_.depth_knots, properties.residual, curvature_);
+    const std::vector<inside::Passage>& all = area.best();
+    for (std::size_t is = block.first; is < block.last; ++is)
+      for (std::size_t id = 0; id < block.depths && is_within(area.section->s[is]); ++id) {
+        stresses_.push_back(all[is * area.depths + id]);
+        stresses_.back().emplace_back(); // without load
+      }
+  }
 
   void fill(PatchShakedown& out) {
-    for (std::size_t i = 0; i < section_.points(); ++i)
+    for (std::size_t i = 0; i < section_.count(); ++i)
       add_point(i, out.maps);
-    const MelanLoad melan = largest_load(points_, fields_.size());
+    const MelanLoad melan = largest_load(points_, fields_->size());
     for (const Deviator& residual : melan.residual)
       out.maps.residual.push_back(stress_of(properties_.yield_shear * residual));
     out.first_yield = least(out.maps.first_yield);
@@ -91,12 +161,27 @@ public:
   }
 
 private:
+  /// Whether residual stresses may be below it.
+  bool is_within(double s) const { return s > section_.s_knots.front() && s < section_.s_knots.back(); }
+  /// Leaves what the body has.
+  void cut(const Block& block) {
+    const auto from = [](std::size_t i) { return static_cast<std::ptrdiff_t>(i); };
+    section_.s = {section_.s.begin() + from(block.first), section_.s.begin() + from(block.last)};
+    section_.depths.resize(block.depths);
+    std::erase_if(section_.s_knots, [&](double s) { return s < block.least_s || s > block.most_s; });
+    std::erase_if(section_.depth_knots, [&](double depth) { return depth > block.most_depth; });
+    if (section_.s_knots.size() < 4 || section_.depth_knots.size() < 4)
+      throw InputError("There is no room for residual stresses below this patch",
+                       "the body is thinner than the patch is wide",
+                       "Look at the stresses alone (bem_contact stresses).");
+    std::erase_if(section_.s, [&](double s) { return !is_within(s); });
+  }
   void add_point(std::size_t i, SectionMaps& maps) {
     const double s = section_.s[i / section_.depths.size()],
                  depth = section_.depths[i % section_.depths.size()];
     const double k = properties_.yield_shear;
     const std::vector<halfspace::Stress>& stresses = stresses_[i];
-    YieldPoint point{{}, fields_.at(s, depth)};
+    YieldPoint point{{}, fields_->at(s, depth)};
     DeviatorPath path;
     double longest = 0;
     for (const halfspace::Stress& t : stresses) {
@@ -145,21 +230,30 @@ private:
   }
 
   const ShakedownProperties& properties_;
-  Section section_;
-  ResidualFields fields_;
+  inside::Section section_;
+  double curvature_;
+  std::optional<ResidualFields> fields_;
   std::vector<std::vector<halfspace::Stress>> stresses_;
   std::vector<YieldPoint> points_;
 };
 
-bool is_too_small(std::span<const int> elements, int columns) {
-  int least_row = elements.front(), most_row = 0, least_column = columns, most_column = 0;
-  for (const int i : elements) {
-    least_row = std::min(least_row, i / columns);
-    most_row = std::max(most_row, i / columns);
-    least_column = std::min(least_column, i % columns);
-    most_column = std::max(most_column, i % columns);
-  }
-  return most_row - least_row + 1 < least_across || most_column - least_column + 1 < least_across;
+/// The tractions on the rail (patch: on the lower body).
+inside::SurfaceTractions tractions_of(const SceneResult& solved) {
+  const ContactProblem& problem = solved.problem;
+  inside::SurfaceTractions out{.dx = problem.grid.dx,
+                               .ds = problem.grid.ds,
+                               .x0 = problem.grid.x0,
+                               .columns = problem.grid.mx,
+                               .s = {},
+                               .px = solved.result.px,
+                               .ps = solved.result.ps,
+                               .pn = solved.result.pn,
+                               .poisson = solved.bodies.rail_poisson};
+  for (const ContactRow& row : problem.rows)
+    out.s.push_back(row.s);
+  out.px.resize(out.pn.size()); // empty without friction
+  out.ps.resize(out.pn.size());
+  return out;
 }
 
 } // namespace
@@ -167,23 +261,39 @@ bool is_too_small(std::span<const int> elements, int columns) {
 Shakedown shakedown_of(const SceneResult& solved, const ShakedownProperties& properties) {
   require_certified(solved);
   validate(properties);
-  if (!solved.result.certified())
-    throw InputError("There is no shakedown of a result that did not converge",
-                     "its tractions are not a solution", "Solve the scene first.");
-  Shakedown out;
-  const std::vector<std::vector<int>> elements = patch_elements(solved.problem, solved.result);
-  for (std::size_t k = 0; k < elements.size(); ++k) {
-    if (!solved.problem.plane_strain() && is_too_small(elements[k], solved.problem.grid.mx)) {
-      ++out.too_small;
+  if (solved.problem.plane_strain())
+    throw InputError("There is no shakedown in plane strain",
+                     "its elements are endless along x: nothing passes",
+                     "Give a scene with elements along x.");
+  const inside::SurfaceTractions tractions = tractions_of(solved);
+  const std::vector<std::vector<int>> patches = inside::loaded_patches(tractions);
+  Shakedown out = shakedown_of(inside::halfspace_inside(tractions, inside::Side::rail), properties);
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < patches.size() && next < out.patches.size(); ++k) {
+    if (inside::is_too_small(patches[k], tractions.columns))
       continue;
-    }
+    out.patches[next].s = solved.result.patches[k].s;
+    out.patches[next++].y = solved.result.patches[k].position.y;
+  }
+  return out;
+}
+
+Shakedown shakedown_of(const inside::StressesInside& stresses, const ShakedownProperties& properties) {
+  validate(properties);
+  Shakedown out;
+  out.too_small = stresses.too_small;
+  for (const inside::AreaStresses& area : stresses.areas) {
+    if (!area.section)
+      throw InputError("There is no shakedown of points of one's own",
+                       "the limit needs the whole section below a patch",
+                       "Make the file of stresses without --points.");
     PatchShakedown patch;
-    const PatchSummary& summary = solved.result.patches[k];
-    patch.s = summary.s;
-    patch.y = summary.position.y;
-    patch.pmax = summary.pmax;
+    patch.s = 0.5 * (area.section->s.front() + area.section->s.back());
+    patch.y = std::numeric_limits<double>::quiet_NaN();
+    patch.pmax = area.pmax;
     patch.yield_shear = properties.yield_shear;
-    Patch(solved, elements[k], properties).fill(patch);
+    patch.fatigue_limit = properties.fatigue_limit.value_or(std::numeric_limits<double>::quiet_NaN());
+    Patch(area, properties).fill(patch);
     out.patches.push_back(std::move(patch));
   }
   return out;

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "bem_contact/inside/stresses_inside.hpp"
 #include "bem_contact/record/column.hpp"
 #include "bem_contact/uses/shakedown/residual.hpp"
-#include "bem_contact/uses/shakedown/section.hpp"
 
 #include <optional>
 #include <span>
@@ -22,10 +22,16 @@ struct ShakedownProperties {
   Residual residual = Residual::all; ///< which may build up
   double dang_van_a = 0.4;           ///< weight of the hydrostatic stress, 1; often 0.3 to 0.4 of rail steels
   std::optional<double> alpha = {};  ///< Crossland's, 1; nothing: crossland_alpha(dang_van_a)
+  std::optional<double> fatigue_limit = {}; ///< in torsion, MPa: what Dang Van's stress is compared with
+  std::string steel = {};                   ///< whose values these are; "": one's own
 
   double crossland() const; ///< its alpha
   bool operator==(const ShakedownProperties&) const = default;
 };
+
+/// Those of a named steel (steels.hpp): fatigue limit, Dang Van's a and, if its standard has a yield
+/// strength, k. Throws InputError for an unknown name.
+ShakedownProperties properties_of(const std::string& steel);
 
 /// Throws InputError for values out of range.
 void validate(const ShakedownProperties& properties);
@@ -55,7 +61,7 @@ struct SectionMaps {
 
 /// One patch. A load factor multiplies all tractions: the load is below a limit where its factor is above 1.
 struct PatchShakedown {
-  double s = 0, y = 0; ///< centre of pressure, mm
+  double s = 0, y = 0; ///< centre of pressure, mm (from a file of stresses: middle of the points; y nan)
   double pmax = 0;     ///< MPa
   AtPoint first_yield; ///< load factor up to which nothing yields
   AtPoint lower;       ///< load factor up to which it shakes down (Melan), and where it is decided
@@ -64,9 +70,13 @@ struct PatchShakedown {
   double dang_van_surface = 0; ///< MPa; largest on the surface
   Yielding yielding = Yielding::open; ///< what both bounds say
   double yield_shear = 0;             ///< k, MPa
-  Section section;                    ///< where stresses are known below the patch
+  double fatigue_limit = 0;           ///< in torsion, MPa; nan: not given
+  inside::Section section;            ///< where stresses are known below the patch
   SectionMaps maps;                   ///< at its points
 
+  /// Dang Van's largest stress, at the surface or below, over the fatigue limit: fatigue begins above 1.
+  double fatigue_share() const;
+  double damage() const; ///< of one passage after Miner, at that place; a crack begins at 1
   double limit_pressure() const { return lower.value * pmax / yield_shear; } ///< pmax / k at the lower bound
 };
 
@@ -84,8 +94,16 @@ struct Shakedown {
 /// result, and in plane strain.
 Shakedown shakedown_of(const SceneResult& result, const ShakedownProperties& properties = {});
 
+/// The same with the stresses of a file: of the real body where it has them. Residual stresses balance
+/// themselves below a surface of the body's mean curvature, where the body is. Throws InputError for wrong
+/// properties, and where the points are not those below a patch.
+Shakedown shakedown_of(const inside::StressesInside& stresses, const ShakedownProperties& properties = {});
+
 /// A sentence for people: "yields once (...)".
 std::string in_words(const PatchShakedown& patch, const ShakedownProperties& properties);
+
+/// What Dang Van's stress means for this steel.
+std::string fatigue_in_words(const PatchShakedown& patch, const ShakedownProperties& properties);
 
 /// The numbers of a patch, in the order of the outputs.
 std::span<const ColumnOf<PatchShakedown>> patch_columns();

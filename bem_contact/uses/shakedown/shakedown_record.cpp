@@ -1,9 +1,11 @@
 #include "bem_contact/record/record.hpp"
-#include "bem_contact/uses/shakedown/shakedown_of_result.hpp"
+#include "bem_contact/uses/shakedown/patch_columns.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace bem_contact::shakedown {
 
@@ -22,38 +24,36 @@ std::string in_words(const PatchShakedown& p, const ShakedownProperties& propert
                      p.upper.value, where, properties.yield_shear);
 }
 
+std::string fatigue_in_words(const PatchShakedown& p, const ShakedownProperties& properties) {
+  if (!properties.fatigue_limit)
+    return "compare with the fatigue limit in torsion";
+  const std::string limit =
+      properties.steel.empty()
+          ? fmt::format("the fatigue limit in torsion, {:.0f} MPa", *properties.fatigue_limit)
+          : fmt::format(
+                "the fatigue limit in torsion of {}, {:.0f} MPa (estimated; it scatters by 10 to 20 %)",
+                properties.steel, *properties.fatigue_limit);
+  const std::string share = fmt::format("{:.1f} MPa with the surface, {:.0f} % of {}",
+                                        p.fatigue_share() * p.fatigue_limit, 100 * p.fatigue_share(), limit);
+  return p.damage() > 0 ? fmt::format("{}: a crack after some {:.2g} passages", share, 1 / p.damage())
+                        : share;
+}
+
 std::span<const ColumnOf<PatchShakedown>> patch_columns() {
-  using P = PatchShakedown;
-  static constexpr std::array<ColumnOf<P>, 20> columns{
-      {{"s", "mm", "centre of pressure, arc length along the rail", [](const P& p) { return p.s; }},
-       {"y", "mm", "centre of pressure, track frame", [](const P& p) { return p.y; }},
-       {"pmax", "MPa", "largest pressure", [](const P& p) { return p.pmax; }},
-       {"yields", "1", "0 never, 1 once, 2 for ever, 3: once or for ever",
-        [](const P& p) { return double(p.yielding); }},
-       {"first_yield", "1", "load factor up to which nothing yields",
-        [](const P& p) { return p.first_yield.value; }},
-       {"first_yield_s", "mm", "where it does first", [](const P& p) { return p.first_yield.s; }},
-       {"first_yield_depth", "mm", "how deep", [](const P& p) { return p.first_yield.depth; }},
-       {"shakedown", "1", "load factor up to which it shakes down (lower bound)",
-        [](const P& p) { return p.lower.value; }},
-       {"shakedown_upper", "1", "load factor from which it does not (upper bound)",
-        [](const P& p) { return p.upper.value; }},
-       {"shakedown_s", "mm", "where that is decided", [](const P& p) { return p.lower.s; }},
-       {"shakedown_depth", "mm", "how deep; 0: at the surface", [](const P& p) { return p.lower.depth; }},
-       {"p0_over_k_limit", "1", "pmax over k at the lower bound",
-        [](const P& p) { return p.limit_pressure(); }},
-       {"p0_over_k_upper", "1", "pmax over k at the upper bound",
-        [](const P& p) { return p.limit_pressure() * p.upper.value / p.lower.value; }},
-       {"dang_van", "MPa", "largest shear stress of Dang Van below the surface",
-        [](const P& p) { return p.dang_van.value; }},
-       {"dang_van_s", "mm", "where that is", [](const P& p) { return p.dang_van.s; }},
-       {"dang_van_depth", "mm", "how deep", [](const P& p) { return p.dang_van.depth; }},
-       {"dang_van_surface", "MPa", "the same on the surface", [](const P& p) { return p.dang_van_surface; }},
-       {"crossland", "MPa", "largest stress of Crossland below the surface",
-        [](const P& p) { return p.crossland.value; }},
-       {"crossland_s", "mm", "where that is", [](const P& p) { return p.crossland.s; }},
-       {"crossland_depth", "mm", "how deep", [](const P& p) { return p.crossland.depth; }}}};
-  return columns;
+  return columns_of_patch<PatchShakedown>();
+}
+
+record::Record properties_record(const ShakedownProperties& properties) {
+  using record::Number;
+  return {
+      {"yield_shear", Number{properties.yield_shear, "MPa", "k, the yield stress in shear"}},
+      {"residual", record::Text{properties.residual == Residual::all ? "all" : "in-plane",
+                                "which residual stresses may build up"}},
+      {"dang_van_a", Number{properties.dang_van_a, "1", "weight of the hydrostatic stress after Dang Van"}},
+      {"crossland_alpha", Number{properties.crossland(), "1", "the same after Crossland"}},
+      {"steel", record::Text{properties.steel}},
+      {"fatigue_limit", Number{properties.fatigue_limit.value_or(std::numeric_limits<double>::quiet_NaN()),
+                               "MPa", "in torsion; nan: not given"}}};
 }
 
 namespace {
@@ -92,14 +92,10 @@ record::Record record_of(const Shakedown& found, const ShakedownProperties& prop
   using record::Number;
   record::Table patches = record::table_of("patch", patch_columns(), found.patches);
   patches.layout = record::Layout::rows;
-  record::Record out{
-      {"yield_shear", Number{properties.yield_shear, "MPa", "k, the yield stress in shear"}},
-      {"residual", record::Text{properties.residual == Residual::all ? "all" : "in-plane",
-                                "which residual stresses may build up"}},
-      {"dang_van_a", Number{properties.dang_van_a, "1", "weight of the hydrostatic stress after Dang Van"}},
-      {"crossland_alpha", Number{properties.crossland(), "1", "the same after Crossland"}},
-      {"too_small", Number{double(found.too_small), "1", "patches with too few elements to tell", {}, true}},
-      {"patches", std::move(patches)}};
+  record::Record out = properties_record(properties);
+  out.add("too_small",
+          Number{double(found.too_small), "1", "patches with too few elements to tell", {}, true})
+      .add("patches", std::move(patches));
   if (!found.patches.empty()) {
     const PatchShakedown& worst =
         *std::ranges::min_element(found.patches, {}, [](const PatchShakedown& p) { return p.lower.value; });

@@ -18,7 +18,8 @@ struct RandomField {
   ResidualFields fields;
   std::vector<double> coefficients;
 
-  explicit RandomField(Residual kind) : fields(s_knots, depth_knots, kind), coefficients(fields.size()) {
+  explicit RandomField(Residual kind, double curvature = 0)
+      : fields(s_knots, depth_knots, kind, curvature), coefficients(fields.size()) {
     std::mt19937 random(3);
     std::normal_distribution<double> normal;
     for (double& c : coefficients)
@@ -51,6 +52,30 @@ TEST(ResidualFields, BalanceThemselves) {
       EXPECT_NEAR((right.sn - left.sn + below.nn - above.nn) / (2 * h), 0, 1e-3 * scale);
       EXPECT_NEAR((right.xs - left.xs + below.xn - above.xn) / (2 * h), 0, 1e-3 * scale);
     }
+}
+
+/// The same below a round surface, in the coordinates of its arc and depth (h = 1 - c n is a radius over that
+/// of the surface): d(ss)/ds / h + d(sn)/dn - 2 c/h sn = 0, and so on (Timoshenko and Goodier, section 27).
+TEST(ResidualFields, BalanceThemselvesBelowARoundSurface) {
+  for (const double c : {0.3, -0.4}) {
+    const RandomField field(Residual::all, c);
+    const double e = 1e-5;
+    for (const double s : {-2.0, -0.9, -0.1, 0.3, 1.1, 2.1})
+      for (const double n : {0.1, 0.3, 0.7, 1.6}) {
+        const double h = 1 - c * n;
+        const Stress t = field.at(s, n), right = field.at(s + e, n), left = field.at(s - e, n),
+                     below = field.at(s, n + e), above = field.at(s, n - e);
+        const double scale =
+            std::abs(right.ss) + std::abs(right.nn) + std::abs(right.sn) + std::abs(right.xs);
+        EXPECT_NEAR((right.ss - left.ss) / h / (2 * e) + (below.sn - above.sn) / (2 * e) - 2 * c / h * t.sn,
+                    0, 1e-3 * scale);
+        EXPECT_NEAR((right.sn - left.sn) / h / (2 * e) + (below.nn - above.nn) / (2 * e) -
+                        c / h * (t.nn - t.ss),
+                    0, 1e-3 * scale);
+        EXPECT_NEAR((right.xs - left.xs) / h / (2 * e) + (below.xn - above.xn) / (2 * e) - c / h * t.xn, 0,
+                    1e-3 * scale);
+      }
+  }
 }
 
 TEST(ResidualFields, LeaveTheSurfaceAndTheEndsFree) {

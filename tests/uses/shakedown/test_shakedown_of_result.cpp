@@ -136,6 +136,44 @@ TEST(ShakedownOfResult, IsTheSameMirrored) {
   EXPECT_NEAR(left.lower.s, -right.lower.s, 1e-6);
 }
 
+/// From stresses as a file has them: the same without a body. With one, its stresses count: twice as large,
+/// half the factors. Where the body ends the block ends, and what is left bears no more.
+TEST(ShakedownOfResult, OfStressesOfABody) {
+  const SceneResult result = circle(0.1, 24);
+  const PatchShakedown alone = patch_of(result, Residual::all);
+  inside::SurfaceTractions t{.dx = result.problem.grid.dx,
+                             .ds = result.problem.grid.ds,
+                             .x0 = result.problem.grid.x0,
+                             .columns = result.problem.grid.mx,
+                             .s = {},
+                             .px = result.result.px,
+                             .ps = result.result.ps,
+                             .pn = result.result.pn,
+                             .poisson = 0.28};
+  for (const ContactRow& row : result.problem.rows)
+    t.s.push_back(row.s);
+  inside::StressesInside stresses = inside::halfspace_inside(t, inside::Side::rail);
+  EXPECT_DOUBLE_EQ(shakedown_of(stresses).patches.at(0).lower.value, alone.lower.value);
+  inside::AreaStresses& area = stresses.areas.at(0);
+  area.body = area.flat;
+  for (inside::Passage& passage : area.body)
+    for (halfspace::Stress& s : passage)
+      s.add(1, s);
+  EXPECT_NEAR(shakedown_of(stresses).patches.at(0).lower.value, alone.lower.value / 2,
+              1e-3 * alone.lower.value);
+  area.body = area.flat;
+  for (std::size_t i = 0; i < area.body.size(); ++i)
+    if (area.points[i].depth > 1.5 * area.section->size)
+      for (halfspace::Stress& s : area.body[i])
+        s.xx = std::nan("");
+  const PatchShakedown thin = shakedown_of(stresses).patches.at(0);
+  EXPECT_LE(thin.lower.value, alone.lower.value * (1 + 1e-3));
+  EXPECT_GT(thin.lower.value, 0.9 * alone.lower.value);
+  EXPECT_LE(thin.section.depths.back(), 1.5 * area.section->size);
+  stresses.areas[0].section.reset();
+  EXPECT_THAT(message_of([&] { shakedown_of(stresses); }), HasSubstr("points of one's own"));
+}
+
 TEST(ShakedownOfResult, RefusesWhatItCannotAnswer) {
   const SceneResult result = circle(0, 24);
   EXPECT_THAT(message_of([&] { shakedown_of(result, {.yield_shear = 0}); }),
@@ -144,7 +182,7 @@ TEST(ShakedownOfResult, RefusesWhatItCannotAnswer) {
               HasSubstr("Dang Van's a"));
   SceneResult wrong;
   wrong.result.trust.certificate.penetration = 1;
-  EXPECT_THAT(message_of([&] { shakedown_of(wrong); }), HasSubstr("did not converge"));
+  EXPECT_THAT(fault_of([&] { shakedown_of(wrong); }), HasSubstr("is not a solution"));
   SceneResult coarse = circle(0, 4);
   EXPECT_EQ(shakedown_of(coarse).patches.size() + shakedown_of(coarse).too_small, 1U);
 }

@@ -3,7 +3,7 @@
 #include "bem_contact/base/tuned.hpp"
 
 /// The tuned numbers of this room (base/tuned.hpp).
-namespace bem_contact::shakedown {
+namespace bem_contact::inside {
 
 /// 1. Points across a patch along s at which stresses are taken, about; fewer where it has fewer rows.
 BEM_CONTACT_TUNED(int, points_across, 20);
@@ -17,4 +17,4 @@ BEM_CONTACT_TUNED(double, passage_margin, 1.0);
 /// be. Chosen.
 BEM_CONTACT_TUNED(double, block_margin, 2.5);
 
-} // namespace bem_contact::shakedown
+} // namespace bem_contact::inside

@@ -1,0 +1,56 @@
+#include "fem_influence/harmonic/remainder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bem_contact::fem {
+
+using halfspace::Stress;
+
+Stress difference(const Stress& a, const Stress& b) {
+  Stress out = a;
+  return out.add(-1, b);
+}
+
+namespace {
+
+/// Lagrange's weights of some places for one.
+template <std::size_t n> std::array<double, n> weights(const std::array<double, n>& places, double at) {
+  std::array<double, n> out{};
+  for (std::size_t i = 0; i < n; ++i) {
+    out[i] = 1;
+    for (std::size_t j = 0; j < n; ++j)
+      if (j != i)
+        out[i] *= (at - places[j]) / (places[i] - places[j]);
+  }
+  return out;
+}
+
+/// nn, xn and sn of the first, the others of the second.
+Stress joined(const Stress& across, const Stress& along) {
+  return {along.xx, along.ss, across.nn, along.xs, across.xn, across.sn};
+}
+
+} // namespace
+
+Remainder towards_surface(std::span<const inside::Passage> helpers, double depth, double error) {
+  const auto& d = helper_depths;
+  const auto along = weights<3>({d[0], d[1], d[2]}, depth), across = weights<3>({0, d[0], d[1]}, depth);
+  const auto line_along = weights<2>({d[0], d[1]}, depth), line_across = weights<2>({0, d[0]}, depth);
+  Remainder out{{}, error};
+  double curved = 0;
+  for (std::size_t j = 0; j < helpers[0].size(); ++j) {
+    const Stress &a = helpers[0][j], &b = helpers[1][j], &c = helpers[2][j];
+    Stress parabola_along, parabola_across, line, line_to_zero;
+    parabola_along.add(along[0], a).add(along[1], b).add(along[2], c);
+    parabola_across.add(across[1], a).add(across[2], b);
+    line.add(line_along[0], a).add(line_along[1], b);
+    line_to_zero.add(line_across[1], a);
+    out.stresses.push_back(joined(parabola_across, parabola_along));
+    curved = std::max(curved, von_mises(difference(out.stresses.back(), joined(line_to_zero, line))));
+  }
+  out.error += curved;
+  return out;
+}
+
+} // namespace bem_contact::fem
