@@ -34,8 +34,8 @@ SurfaceTractions hertz(double a, double b, int columns, int rows, double frictio
   return t;
 }
 
-/// A Hertz line contact along s, 60 half widths long. Its missing ends add P (1 - 2 nu) / (pi 30) to xx, which
-/// vanishes for nu = 0.5.
+/// A Hertz line contact along s, 60 half widths long. Its missing ends add P (1 - 2 nu) / (pi 30) to xx,
+/// which vanishes for nu = 0.5.
 SurfaceTractions line() {
   SurfaceTractions t = hertz(1, 30, 60, 61, 0);
   t.poisson = 0.5;
