@@ -625,9 +625,8 @@ class Interrupted(Hostile):
         run = subprocess.Popen([doors.PROGRAM, "sweep", scene, "-o", output, "--jobs", "1"], stdout=subprocess.DEVNULL,
                                stderr=subprocess.PIPE, text=True)
         parts = Path(f"{output}.parts")
-        while run.poll() is None and not [*parts.glob("0*.h5")]:  # the first part is there
+        while run.poll() is None and len([*parts.glob("0*.h5")]) < 2:  # the first part is there and counted
             time.sleep(0.01)
-        time.sleep(0.1)
         run.send_signal(signal.SIGINT)
         message = run.communicate()[1]
         self.assertEqual(run.returncode, -signal.SIGINT)
