@@ -16,7 +16,7 @@ struct LineOutcome {
 
 /// Runs a command of this program ("solve", "case.toml", ...) in a process of its own, so that whatever
 /// happens to it leaves this one alone. What it prints goes to the file `text`; its messages and its progress
-/// go on to standard error, each message that is not in `said` yet.
+/// go on to standard error, each line that is not in `said` yet.
 LineOutcome run_line(const std::vector<std::string>& words, const std::filesystem::path& text,
                      std::set<std::string>& said);
 
