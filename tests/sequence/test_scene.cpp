@@ -34,7 +34,7 @@ SceneFile wheel_on_rail(double lateral, double force, const std::string& motion 
 /// How many of the warnings say this.
 auto times_said(const SceneResult& r, const std::string& what) {
   return std::ranges::count_if(
-      r.warnings, [&](const std::string& warning) { return warning.find(what) != std::string::npos; });
+      r.warnings, [&](const Warning& warning) { return warning.text.find(what) != std::string::npos; });
 }
 
 TEST(Scene, HertzPatch) {

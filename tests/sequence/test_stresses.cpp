@@ -98,7 +98,8 @@ TEST(StressesBelow, SayWhereTheyAreAnApproximation) {
   scene.solver.model = Model::halfspace;
   const SceneResult r = Sequence().solve(scene);
   ASSERT_TRUE(r.stresses);
-  EXPECT_THAT(r.warnings, ::testing::Contains(HasSubstr("those of a half-space under these tractions")));
+  EXPECT_THAT(r.warnings.texts(),
+              ::testing::Contains(HasSubstr("those of a half-space under these tractions")));
   scene.stresses.depths.clear();
   EXPECT_FALSE(Sequence().solve(scene).stresses) << "not asked for";
 }

@@ -17,7 +17,7 @@ struct Repetition {
   std::string model;                           ///< of the file
   std::vector<QuantityDifference> differences; ///< beyond what two certified solutions may differ by
   std::vector<std::string> others;             ///< other differences, in sentences
-  std::vector<std::string> warnings;           ///< inputs that are other files today
+  Warnings warnings;                           ///< inputs that are other files today
   SceneResult result;                          ///< now
 
   bool same() const { return differences.empty() && others.empty(); }

@@ -13,9 +13,19 @@
 
 namespace bem_contact::app {
 
+/// What differs in how a part is run.
+enum class PartKind {
+  usual,     ///< one command, one result file
+  influence, ///< the program of [influence]; no result file
+  wheelset,  ///< says where the wheel is that other parts take
+  sweep,     ///< tables (CSV) beside its result
+  wear       ///< a folder of its own
+};
+
 /// A command as a part of a study.
 struct Part {
-  const char* name;    ///< of its table in the scene, its files and its group
+  const char* name; ///< of its table in the scene, its files and its group
+  PartKind kind = PartKind::usual;
   const char* title;   ///< what it answers
   const char* command; ///< "": the program of [influence]
   bool (*asked)(const StudyCase&);

@@ -4,6 +4,7 @@
 #include "bem_contact/sequence/asked_error.hpp"
 #include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/plan/model_errors.hpp"
+#include "bem_contact/sequence/plan/potential_area.hpp"
 #include "bem_contact/sequence/plan/settings.hpp"
 
 #include <algorithm>

@@ -26,5 +26,7 @@ std::span<const WheelQuantity> wheel_quantities();
 /// What a wheelset says at every door: "wheelset/Fy", "right/track/Fy", and in "right/result" what the result
 /// of this wheel says, in the frame of its side.
 record::Record record_of(const WheelsetResult& result, const RecordParts& parts = {});
+/// A temporary is gone before its fields are looked at.
+record::Record record_of(const WheelsetResult&& result, const RecordParts& parts = {}) = delete;
 
 } // namespace bem_contact
