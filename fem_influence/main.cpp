@@ -36,7 +36,7 @@ void use_one_blas_thread() {
 
 /// What OpenMPI shall use, where the user has not chosen otherwise.
 ///
-/// It searches for UCX at the start, which takes .2 s and only serves networks: not if all processes are on
+/// It searches for UCX at the start, which takes 0.2 s and only serves networks: not if all processes are on
 /// one machine. And OpenMPI 4.1 cannot make a window of processes on several machines by UCX ("invalid
 /// window"), with which we count the wavenumbers; its other ways can.
 void choose_transport() {

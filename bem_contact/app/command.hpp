@@ -62,7 +62,7 @@ Command add_report(CLI::App& program);       ///< a result file as one HTML page
 Command add_explore(CLI::App& program);      ///< a page in the browser that solves as one moves it
 Command add_plot(CLI::App& program);         ///< a picture of a file; Python draws it
 
-/// All of them, in the order of the program's help.
+/// Lists the commands in the order of the program's help.
 inline constexpr Command (*all_commands[])(CLI::App& program) = {
     add_new,       add_from_contact, add_solve,    add_compare,  add_check,        add_schema,  add_info,
     add_influence, add_profile,      add_sweep,    add_conicity, add_creep_curves, add_table,   add_wear,

@@ -39,7 +39,7 @@ struct Unit {
   constexpr Unit(const char* all, const char* in_shift = nullptr, QuantityKind what = QuantityKind::other)
       : rolling(all), shift(in_shift), kind(what) {}
 
-  /// That of a result.
+  /// Gives the unit that a result has.
   const char* of(bool is_shift) const { return shift && is_shift ? shift : rolling; }
   /// "1 (shift: mm)"
   std::string text() const {
@@ -79,7 +79,7 @@ template <class... Of> struct ColumnOf {
     missing = may_be_missing;
   }
 
-  /// Both.
+  /// Gives the number with its error.
   Measured measured(ColumnArgument<Of>... of) const {
     return {value(of...), error ? error(of...) : unknown_error};
   }

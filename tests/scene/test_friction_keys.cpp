@@ -129,7 +129,7 @@ TEST(FrictionKeys, TemperaturesAreInTheResult) {
   EXPECT_LT(quantity("Tmax_rail").value(hot), hottest);
 }
 
-/// A prescribed force that sliding as a whole carries too: 30 kN x .9 at .3 [.5 + .5 2^(-w/1000)].
+/// A prescribed force that sliding as a whole carries too: 30 kN x 0.9 at 0.3 [0.5 + 0.5 2^(-w/1000)].
 TEST(FrictionKeys, ASecondCreepageIsSaid) {
   const std::string law = "falling_friction = 0.15\nhalf_slip_velocity = 1000\nspeed = 1e4\n";
   const SceneResult r = Sequence().solve(patch(law, "load.force_x = 27000"));
@@ -173,7 +173,7 @@ TEST(FrictionKeys, ASecondCreepageIsSaidOfRowsAndHeat) {
   }
 }
 
-/// Friction that drops within .3 mm/s is nearly a jump.
+/// Friction that drops within 0.3 mm/s is nearly a jump.
 TEST(FrictionKeys, ASecondSolutionIsSaid) {
   const SceneResult r =
       Sequence().solve(patch("falling_friction = 0.127\nhalf_slip_velocity = 0.3\nspeed = 1e4\nxi = 8e-4"));

@@ -29,7 +29,7 @@ struct Repetition {
 /// that is no result, for an input that is missing or has another digest, and what Sequence::solve() throws.
 Repetition repeat_result(const std::filesystem::path& file, const std::filesystem::path& folder);
 
-/// For people.
+/// Says in words what was repeated, and what differs.
 std::string to_text(const Repetition& repetition);
 
 /// The scene of a result, a comparison or a sweep: as it was given, or with all defaults. Throws InputError

@@ -11,7 +11,7 @@ namespace bem_contact::app {
 struct LineOutcome {
   int code = 0;                      ///< ExitCode; 1 where its process died
   std::vector<std::string> errors;   ///< in the words of the program
-  std::vector<std::string> warnings; ///< as well
+  std::vector<std::string> warnings; ///< in its words, too
 };
 
 /// Runs a command of this program ("solve", "case.toml", ...) in a process of its own, so that whatever

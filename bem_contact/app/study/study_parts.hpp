@@ -38,7 +38,7 @@ struct Part {
   bool has_models = false; ///< by several models, each in its turn
 };
 
-/// All of them, in the order of their work: a later one may use what an earlier one has found.
+/// Lists the parts in the order of their work: a later one may use what an earlier one has found.
 std::span<const Part> all_parts();
 const Part* part_named(std::string_view name); ///< null: none
 

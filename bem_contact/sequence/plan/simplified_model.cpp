@@ -24,7 +24,8 @@ constexpr double turn_shear_miss = 0.38; ///< 1/rad
 /// 1. The same of the largest pressure, relative.
 constexpr double deviation_pressure_miss = 0.91;
 constexpr double turn_pressure_miss = 0.45; ///< 1/rad
-/// 1. Of the power of friction, relative: without full slip it may miss most of it (half of the scenes: .13).
+/// 1. Of the power of friction, relative: without full slip it may miss most of it (half of the scenes:
+/// 0.13).
 constexpr double power_miss = 1.0;
 /// 1. Fewest elements of a patch.
 constexpr int fewest_patch_elements = 9;
@@ -36,7 +37,7 @@ constexpr int most_force_steps = 100;
 /// find it.
 constexpr double steepest_fall = 0.8;
 constexpr double slip_precision = 1e-13; ///< 1, of the share of the traction that slip takes off
-constexpr int most_slip_steps = 200;     ///< .8 to this power is rounding
+constexpr int most_slip_steps = 200;     ///< 0.8 to this power is rounding
 constexpr double small_velocity = 1e-3;  ///< mm/s, at which the slope of friction at 0 is taken
 
 /// Pressure, and the bound of Coulomb's law: both sum to what the normal force asks for.

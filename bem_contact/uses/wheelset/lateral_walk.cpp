@@ -13,7 +13,7 @@ namespace {
 /// mm. First step of the lateral search, and factor by which the next one is longer as long as the force is
 /// not passed.
 constexpr double first_lateral_step = 0.25;
-/// 1. As above.
+/// 1. Factor by which the next step is longer. Chosen.
 constexpr double lateral_step_growth = 1.4;
 /// mm. Shortest step towards displacements at which the wheelset does not stand: two flanges in their gauge
 /// corners have some hundredths.
