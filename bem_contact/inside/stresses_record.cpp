@@ -41,9 +41,9 @@ std::span<const ColumnOf<AreaPeaks>> peak_columns() {
         [](const P& p) { return p.flat_shear.value; }},
        {"halfspace_largest_shear_depth", "mm", "how deep", [](const P& p) { return p.flat_shear.at.depth; }},
        {"von_mises_change", "1", "what the body has more than the half-space, over the latter",
-        [](const P& p) { return p.von_mises_change; }},
+        [](const P& p) { return p.von_mises_change; }, Missing::possible},
        {"largest_shear_change", "1", "the same of the largest shear stress",
-        [](const P& p) { return p.shear_change; }}}};
+        [](const P& p) { return p.shear_change; }, Missing::possible}}};
   return columns;
 }
 

@@ -10,7 +10,8 @@ namespace bem_contact::shakedown {
 template <class P> std::span<const ColumnOf<P>> columns_of_patch() {
   static constexpr std::array<ColumnOf<P>, 22> columns{
       {{"s", "mm", "centre of pressure, arc length along the rail", [](const P& p) { return p.s; }},
-       {"y", "mm", "centre of pressure, track frame", [](const P& p) { return p.y; }},
+       {"y", "mm", "centre of pressure, track frame; nan where stresses were given",
+        [](const P& p) { return p.y; }, Missing::possible},
        {"pmax", "MPa", "largest pressure", [](const P& p) { return p.pmax; }},
        {"yields", "1", "0 never, 1 once, 2 for ever, 3: once or for ever",
         [](const P& p) { return double(p.yielding); }},
@@ -38,9 +39,9 @@ template <class P> std::span<const ColumnOf<P>> columns_of_patch() {
        {"crossland_s", "mm", "where that is", [](const P& p) { return p.crossland.s; }},
        {"crossland_depth", "mm", "how deep", [](const P& p) { return p.crossland.depth; }},
        {"fatigue_share", "1", "Dang Van's largest stress over the fatigue limit in torsion; nan: not given",
-        [](const P& p) { return p.fatigue_share(); }},
+        [](const P& p) { return p.fatigue_share(); }, Missing::possible},
        {"fatigue_damage", "1", "of one passage there after Miner; a crack begins at 1",
-        [](const P& p) { return p.damage(); }}}};
+        [](const P& p) { return p.damage(); }, Missing::possible}}};
   return columns;
 }
 

@@ -59,7 +59,7 @@ TEST(Steels, HaveTheValuesOfTheirStandards) {
   EXPECT_NEAR(steel_of("ER7").yield_shear().value(), 520 / std::sqrt(3.0), 1e-9);
   EXPECT_NEAR(steel_of("ER7").torsion_limit(), 0.45 * 0.577 * 820, 1e-9);
   EXPECT_NEAR(Steel::dang_van_a(), 0.231, 1e-12);
-  EXPECT_THAT(message_of([] { steel_of("R350"); }), HasSubstr("Did you mean R350HT"));
+  EXPECT_THAT(message_of([] { steel_of("R350T"); }), HasSubstr("Did you mean R350HT"));
   EXPECT_EQ(properties_of("R260").yield_shear, 300);
   EXPECT_EQ(properties_of("ER8").steel, "ER8");
 }
