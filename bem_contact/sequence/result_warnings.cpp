@@ -146,7 +146,8 @@ void warn_of_kinetic_friction(const ContactProblem& problem, std::vector<std::st
 
 void warn_of_convergence(const ContactResult& r, std::vector<std::string>& out) {
   if (r.trust.discretisation && !r.trust.discretisation->converges)
-    out.push_back(fmt::format("the pressure does not converge with the size of the elements ({}) {}",
+    out.push_back(fmt::format("the pressure does not converge with the size of the elements ({}), and "
+                              "the stated errors are wide. {}",
                               why_not_convergent(r),
                               r.trust.discretisation->rough
                                   ? "Smooth the profiles (rail.smoothing, wheel.smoothing)."

@@ -14,6 +14,7 @@
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/settings.hpp"
 #include "bem_contact/sequence/solution/free_rolling.hpp"
+#include "bem_contact/sequence/solution/slide_errors.hpp"
 #include "bem_contact/sequence/solution/solve_case.hpp"
 #include "bem_contact/sequence/solution/warm_start.hpp"
 
@@ -133,7 +134,13 @@ SolveResources Sequence::Impl::resources(WorkBudget& work) {
 SceneResult Sequence::Impl::answer(const SceneFile& scene, const SceneTask& task) {
   const Stopwatch clock;
   ++counts_.cases;
-  SceneResult out = scene.load.force_y ? solve_at_lateral_force(scene, task) : solve_at_position(scene, task);
+  if (scene.load.force_y) {
+    SceneResult out = solve_at_lateral_force(scene, task);
+    out.seconds.total = clock.seconds();
+    return out;
+  }
+  SceneResult out = solve_at_position(scene, task);
+  add_slide_errors(out);
   out.seconds.total = clock.seconds();
   return out;
 }
@@ -245,6 +252,7 @@ SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const
   };
   if (is_there) {
     SceneResult out = *first;
+    add_slide_errors(out);
     tell(out, start);
     return out;
   }
@@ -275,8 +283,13 @@ SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const
     search.learn({start, *force_there});
   SceneTask totals = task;
   totals.totals_only = true;
+  std::vector<LateralTrial> trials;
   const auto force_at = [&](double at) {
-    return lateral_force_of(solve_at_position(with_lateral(on_the_way, at), totals));
+    const SceneResult there = solve_at_position(with_lateral(on_the_way, at), totals);
+    const std::optional<double> force = lateral_force_of(there);
+    if (force)
+      trials.push_back({there.result.totals, there.moment});
+    return force;
   };
   const double lateral = search.find([&](double at) -> std::optional<double> {
     try {
@@ -293,8 +306,9 @@ SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const
   out.seconds.search = searched;
   if (chosen)
     take_choice(*chosen, out);
-  tell(out, lateral);
   warn_of_accuracy(scene.grid, limit, out);
+  add_position_errors(trials, add_slide_errors(out), out);
+  tell(out, lateral);
   return out;
 }
 
