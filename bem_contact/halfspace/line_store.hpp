@@ -21,6 +21,7 @@ public:
     std::size_t offsets = 0;
   };
   Line get(const Material& material, double s, double dx, double ds, std::size_t offsets);
+  std::size_t size() const { return kept_.size(); } ///< lines that are kept
 
 private:
   std::map<std::array<double, 5>, std::vector<double>> kept_;

@@ -61,15 +61,21 @@ std::pair<double, double> rounded_outwards(double from, double to, double ds) {
 } // namespace
 
 NearField::NearField(const Material& material, const ExpandOptions& options, std::span<const double> row_s,
-                     double ds, LineStore& known) {
-  const std::size_t rows = row_s.size();
+                     double ds, LineStore& known)
+    : NearField(
+          material, options, row_s.size(),
+          [&](std::size_t apart, std::size_t row_j) { return row_s[row_j + apart] - row_s[row_j]; }, ds,
+          known) {}
+
+NearField::NearField(const Material& material, const ExpandOptions& options, std::size_t rows,
+                     const Distances& distance, double ds, LineStore& known) {
   std::vector<double> at; // distances of the lines
   mixes_.reserve(rows * (rows + 1) / 2);
   for (std::size_t d = 0; d < rows; ++d) {
     first_of_.push_back(mixes_.size());
     std::vector<double> distances;
     for (std::size_t j = 0; j + d < rows; ++j)
-      distances.push_back(row_s[j + d] - row_s[j]);
+      distances.push_back(distance(d, j));
     add_mixes(distances, ds, at);
   }
   fill(material, options, at, ds, known);

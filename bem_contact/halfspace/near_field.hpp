@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -46,6 +47,11 @@ public:
   /// `known`: lines of earlier ones.
   NearField(const Material& material, const ExpandOptions& options, std::span<const double> row_s, double ds,
             LineStore& known);
+  /// Rows that need not lie on one line: the distance of row_j and the row so many rows `apart` from it, mm.
+  /// All have one sign.
+  using Distances = std::function<double(std::size_t apart, std::size_t row_j)>;
+  NearField(const Material& material, const ExpandOptions& options, std::size_t rows,
+            const Distances& distance, double ds, LineStore& known);
 
   /// Adds `factor` times the numbers of rows row_j <= row_i to a mix.
   void add_to(LineMix& to, int row_i, int row_j, double factor) const {

@@ -1,11 +1,12 @@
 #include "bem_contact/halfspace/tangent_plane.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/halfspace/element_line.hpp"
+#include "bem_contact/halfspace/near_field.hpp"
 #include "bem_contact/halfspace/plane_strain.hpp"
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace bem_contact::halfspace {
@@ -37,16 +38,59 @@ bool turns_evenly(std::span<const ContactRow> rows) {
 }
 
 /// (Q H + H Q) / 2, Q the turn of (s, n) by delta_I - delta_J.
-Matrix3 turned(const Matrix3& h, double turn) {
-  const double c = std::cos(turn), s = std::sin(turn);
-  const Matrix3 q{{{1, 0, 0}, {0, c, s}, {0, -s, c}}};
-  Matrix3 out{};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      for (int k = 0; k < 3; ++k)
-        out[i][j] += 0.5 * (q[i][k] * h[k][j] + h[i][k] * q[k][j]);
-  return out;
-}
+class Turn {
+public:
+  explicit Turn(double turn) : q_{{{1, 0, 0}, {0, std::cos(turn), std::sin(turn)}, {0, 0, 0}}} {
+    q_[2] = {0, -q_[1][2], q_[1][1]};
+  }
+  Matrix3 of(const Matrix3& h) const {
+    Matrix3 out{};
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        for (int k = 0; k < 3; ++k)
+          out[i][j] += 0.5 * (q_[i][k] * h[k][j] + h[i][k] * q_[k][j]);
+    return out;
+  }
+
+private:
+  Matrix3 q_;
+};
+
+/// The half-space's numbers of pairs of rows at their chords. They depend on the chord's length alone, but
+/// for the sign of what is odd along s; so the rows of both bodies, and those of other cases, share lines.
+class ChordLines {
+public:
+  /// `rows`, and what `known` refers to, outlive this.
+  ChordLines(const Material& material, const StripGrid& grid, std::span<const ContactRow> rows,
+             LineStore& known)
+      : offsets_(static_cast<std::size_t>(grid.offsets)),
+        near_(
+            material, {.dx = grid.dx, .offsets = grid.offsets}, rows.size(),
+            [rows](std::size_t apart, std::size_t row_j) {
+              return std::abs(chord(rows[row_j], rows[row_j + apart]));
+            },
+            grid.ds, known),
+        values_(9 * offsets_) {}
+
+  /// The numbers of row_j <= row_i at every offset.
+  void fill(int row_i, int row_j, bool forwards, std::span<Matrix3> line) {
+    LineMix mix;
+    near_.add_to(mix, row_i, row_j, 1);
+    for (std::size_t e = 0; e < 9; ++e) {
+      const int i = static_cast<int>(e) / 3, j = static_cast<int>(e) % 3;
+      double* const values = values_.data() + e * offsets_;
+      add_mix(mix, e * offsets_, 0, values, offsets_);
+      const double sign = forwards || (i == component_s) == (j == component_s) ? 1 : -1;
+      for (std::size_t m = 0; m < offsets_; ++m)
+        line[m][i][j] = sign * values[m];
+    }
+  }
+
+private:
+  std::size_t offsets_;
+  NearField near_;
+  std::vector<double> values_; ///< [i][j][offset]
+};
 
 /// -u_n under a unit pressure from the uniform tension of Flamant's stress on a circle (tangent_plane.hpp).
 double uniform_tension(const Material& material, const StripGrid& grid, std::span<const ContactRow> rows) {
@@ -61,7 +105,7 @@ double uniform_tension(const Material& material, const StripGrid& grid, std::spa
 } // namespace
 
 InfluenceNumbers tangent_plane_numbers(const Material& material, const StripGrid& grid,
-                                       std::span<const ContactRow> rows) {
+                                       std::span<const ContactRow> rows, LineStore* known) {
   const int n = static_cast<int>(rows.size());
   if (n < 1 || grid.offsets < 1)
     throw InputError("An influence table without elements was asked for", std::to_string(n) + " rows",
@@ -77,6 +121,10 @@ InfluenceNumbers tangent_plane_numbers(const Material& material, const StripGrid
 
   const double tension = plane_strain ? uniform_tension(material, grid, rows) : 0.0;
   std::vector<Matrix3> line(out.offsets);
+  LineStore only_now;
+  std::optional<ChordLines> lines;
+  if (!plane_strain)
+    lines.emplace(material, grid, rows, known ? *known : only_now);
   for (const auto& [row_i, row_j] : out.stored_rows()) {
     if (row_i < row_j)
       continue;
@@ -84,9 +132,10 @@ InfluenceNumbers tangent_plane_numbers(const Material& material, const StripGrid
     if (plane_strain)
       line[0] = averaged_plane_strain(material, distance, grid.ds, grid.reference_distance);
     else
-      averaged_line(material, distance, grid.dx, grid.ds, line);
+      lines->fill(row_i, row_j, distance >= 0, line);
+    const Turn turn(rows[row_i].delta - rows[row_j].delta);
     for (int m = 0; m < out.offsets; ++m) {
-      const Matrix3 a = turned(line[m], rows[row_i].delta - rows[row_j].delta);
+      const Matrix3 a = turn.of(line[m]);
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
           const double value = a[i][j] - (i == component_n && j == component_n ? tension : 0.0);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/base/material.hpp"
+#include "bem_contact/halfspace/line_store.hpp"
 #include "bem_contact/halfspace/settings.hpp"
 #include "bem_contact/influence/influence_numbers.hpp"
 #include "bem_contact/profile/contact_row.hpp"
@@ -31,9 +32,11 @@ struct StripGrid {
 /// R. With this term a pair of equal bodies is exact (Michell's pair, Persson's contact). Without it pmax
 /// is 1.6 % too high at a half angle of 30 degrees and 5 % at 60. In three dimensions it is left out.
 ///
-/// If each row lies to the next as the first to the second, the result is translational in s.
+/// If each row lies to the next as the first to the second, the result is translational in s. Pairs whose
+/// chords differ a little share a few half-space lines by interpolation (near_field.hpp), exact to
+/// near_field_accuracy (settings.hpp); `known`: lines of earlier strips.
 /// Source: theory/numbers.md, section 3. Throws InputError for an empty strip.
 InfluenceNumbers tangent_plane_numbers(const Material& material, const StripGrid& grid,
-                                       std::span<const ContactRow> rows);
+                                       std::span<const ContactRow> rows, LineStore* known = nullptr);
 
 } // namespace bem_contact::halfspace

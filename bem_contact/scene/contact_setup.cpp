@@ -198,6 +198,16 @@ ContactSetup set_up_contact(const SceneFile& scene, const WheelRailProfiles& pro
                          {.lowered = lowered, .rail_inclination = profiles.rail_inclination});
 }
 
+namespace {
+
+/// Whether a structure moves its body.
+bool gives_way(const StructuralPlacement& by) {
+  const auto moves = [](const PlaneMotion& body) { return norm(body.by) > 0 || body.angle != 0; };
+  return moves(by.rail) || moves(by.wheel);
+}
+
+} // namespace
+
 ContactSetup moved(const SceneFile& scene, const ContactSetup& setup, StructuralPlacement by) {
   const WheelRailGeometry& before = *setup.wheel_rail();
   LoweredWheel bodies(moved(before.pair, by));
@@ -210,7 +220,8 @@ ContactSetup moved(const SceneFile& scene, const ContactSetup& setup, Structural
   // What is prescribed need not be the scene's: free rolling is solved with force_x = 0.
   const double rolling_radius = out.motion.creepage.rolling_radius;
   out.motion = setup.motion;
-  out.motion.creepage.rolling_radius = rolling_radius;
+  if (gives_way(by)) // a contact's own slide is no other place of the bodies: creepages count as without it
+    out.motion.creepage.rolling_radius = rolling_radius;
   return out;
 }
 

@@ -27,8 +27,8 @@ constexpr ElasticityModel rows_of_models[] = {
     {.model = Model::tangent_plane,
      .in_words = "tangent planes",
      .depends_on_both_rows = true,
-     .numbers = [](const ContactSetup& setup, const PairFiles&, const ContactOnGrid& contact, NumbersParts*,
-                   int) { return tangent_plane_pair(setup, contact); },
+     .numbers = [](const ContactSetup& setup, const PairFiles&, const ContactOnGrid& contact,
+                   NumbersParts* known, int) { return tangent_plane_pair(setup, contact, known); },
      .errors = tangent_plane_errors},
     {.model = Model::fem, .in_words = "finite elements", .depends_on_both_rows = true, .numbers = fem_pair},
 };

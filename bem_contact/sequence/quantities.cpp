@@ -1,9 +1,6 @@
 #include "bem_contact/sequence/quantities.hpp"
 
-#include "bem_contact/sequence/uncertified.hpp"
-
 #include <algorithm>
-#include <fmt/format.h>
 #include <limits>
 
 namespace bem_contact {
@@ -332,13 +329,7 @@ std::vector<double> ElementQuantity::values(const SceneResult& result) const {
 }
 
 std::string why_no_errors(const SceneResult& r) {
-  const auto& estimate = r.result.trust.discretisation;
-  if (!estimate || estimate->converges)
-    return r.result.trust.why_no_errors;
-  return fmt::format(
-      "the pressure does not converge with the size of the elements ({}). Give smaller elements, or "
-      "smooth the profiles",
-      why_not_convergent(r.result));
+  return r.result.trust.why_no_errors;
 }
 
 } // namespace bem_contact

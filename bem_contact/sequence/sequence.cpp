@@ -14,6 +14,7 @@
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/settings.hpp"
 #include "bem_contact/sequence/solution/free_rolling.hpp"
+#include "bem_contact/sequence/solution/slide_errors.hpp"
 #include "bem_contact/sequence/solution/solve_case.hpp"
 #include "bem_contact/sequence/solution/warm_start.hpp"
 
@@ -109,7 +110,8 @@ private:
   LateralWay lateral_way(const SceneFile& scene, const std::optional<SceneResult>& first, double guess,
                          const SceneTask& task);
   /// The displacement that bears the force, mm.
-  double found_lateral(const SceneFile& scene, LateralSearch& search, const SceneTask& task);
+  double found_lateral(const SceneFile& scene, LateralSearch& search, const SceneTask& task,
+                       std::vector<LateralTrial>& trials);
   SceneResult solve_steady_rolling(const ContactCase& asked, const SceneTask& task);
   const FormerSolution* start_for(const std::vector<PotentialArea>& areas, const SceneFile::Grid& grid) const;
   void remember(const SceneResult& result, const ContactEstimate& estimate);
@@ -153,7 +155,13 @@ SolveResources Sequence::Impl::resources(WorkBudget& work) {
 SceneResult Sequence::Impl::answer(const SceneFile& scene, const SceneTask& task) {
   const Stopwatch clock;
   ++counts_.cases;
-  SceneResult out = scene.load.force_y ? solve_at_lateral_force(scene, task) : solve_at_position(scene, task);
+  if (scene.load.force_y) {
+    SceneResult out = solve_at_lateral_force(scene, task);
+    out.seconds.total = clock.seconds();
+    return out;
+  }
+  SceneResult out = solve_at_position(scene, task);
+  add_slide_errors(out);
   out.seconds.total = clock.seconds();
   return out;
 }
@@ -268,11 +276,16 @@ Sequence::Impl::LateralWay Sequence::Impl::lateral_way(const SceneFile& scene,
   return out;
 }
 
-double Sequence::Impl::found_lateral(const SceneFile& scene, LateralSearch& search, const SceneTask& task) {
+double Sequence::Impl::found_lateral(const SceneFile& scene, LateralSearch& search, const SceneTask& task,
+                                     std::vector<LateralTrial>& trials) {
   SceneTask totals = task;
   totals.totals_only = true;
   const auto force_at = [&](double at) {
-    return lateral_force_of(solve_at_position(with_lateral(scene, at), totals));
+    const SceneResult there = solve_at_position(with_lateral(scene, at), totals);
+    const std::optional<double> force = lateral_force_of(there);
+    if (force)
+      trials.push_back({there.result.totals, there.moment});
+    return force;
   };
   return search.find([&](double at) -> std::optional<double> {
     try {
@@ -303,6 +316,7 @@ SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const
   };
   if (is_there) {
     SceneResult out = *first;
+    add_slide_errors(out);
     tell(out, start);
     return out;
   }
@@ -318,13 +332,15 @@ SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const
   memory.exact = on_the_way;
   if (force_there && (!way.chosen || way.chosen->motion.lateral == start))
     search.learn({start, *force_there});
-  const double lateral = found_lateral(on_the_way, search, task), searched = searching.seconds();
+  std::vector<LateralTrial> trials;
+  const double lateral = found_lateral(on_the_way, search, task, trials), searched = searching.seconds();
   SceneResult out = solve_at_position(with_lateral(way.scene, lateral), task);
   out.seconds.search = searched;
   if (way.chosen)
     take_choice(way.chosen->choice, out);
-  tell(out, lateral);
   warn_of_accuracy(scene.grid, way.limit, out);
+  add_position_errors(trials, add_slide_errors(out), out);
+  tell(out, lateral);
   return out;
 }
 

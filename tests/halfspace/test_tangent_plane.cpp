@@ -101,6 +101,50 @@ TEST(TangentPlane, MichellsPair) {
   }
 }
 
+/// Rows on two arcs, as on a rail's head: most chords at equal distances in rows differ.
+std::vector<ContactRow> two_arcs(int count) {
+  std::vector<ContactRow> rows{{0, {0, 0}, 0}};
+  for (int i = 1; i < count; ++i) {
+    const double turn = 0.4 / (i < count / 3 ? 80.0 : 13.0), delta = rows.back().delta;
+    rows.push_back({0, rows.back().position + 0.4 * tangent_of(delta + 0.5 * turn), delta + turn});
+  }
+  return rows;
+}
+
+/// Pairs whose chords differ a little share lines by interpolation: each pair alone has the same numbers.
+TEST(TangentPlane, SharedLinesAreThoseOfEachPair) {
+  const std::vector<ContactRow> rows = two_arcs(30);
+  const InfluenceNumbers all = tangent_plane_numbers(steel, {0.5, 0.4, 8}, rows);
+  ASSERT_FALSE(all.translational);
+  for (const int row_i : {3, 12, 29})
+    for (const int row_j : {0, 2, 9, 11}) {
+      if (row_j >= row_i)
+        continue;
+      const std::vector<ContactRow> two{rows[row_j], rows[row_i]};
+      const InfluenceNumbers pair = tangent_plane_numbers(steel, {0.5, 0.4, 8}, two);
+      for (int m = 0; m < 8; ++m)
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            EXPECT_NEAR(all.at(m, row_i, i, row_j, j), pair.at(m, 1, i, 0, j),
+                        1e-6 * std::abs(pair.at(m, 1, 2, 0, 2)));
+    }
+}
+
+/// Opposite rows of the other body, which runs against the first one, and rows of a later strip take the same
+/// lines: their number grows with the rows, not with their pairs.
+TEST(TangentPlane, BothBodiesAndLaterStripsShareLines) {
+  const std::vector<ContactRow> rows = two_arcs(60);
+  std::vector<ContactRow> other = rows;
+  for (ContactRow& row : other)
+    row.position = -1.0 * row.position;
+  LineStore lines;
+  tangent_plane_numbers(steel, {0.5, 0.4, 8}, rows, &lines);
+  const std::size_t first = lines.size();
+  EXPECT_LT(first, 6 * rows.size()) << "1770 pairs";
+  tangent_plane_numbers(steel, {0.5, 0.4, 8}, other, &lines);
+  EXPECT_EQ(lines.size(), first);
+}
+
 TEST(TangentPlane, RefusesAnEmptyStrip) {
   EXPECT_ANY_THROW(tangent_plane_numbers(steel, {0.5, 0.3, 4}, {}));
 }

@@ -212,6 +212,17 @@ TEST(PrescribedLateralForce, AStartThatIsASolutionIsSolvedOnce) {
   }
 }
 
+/// Rough forces are uneven: beside the displacement they pass the force on the wrong side of where the model
+/// is known.
+TEST(PrescribedLateralForce, WhereRoughForcesMisleadTheOtherSideIsLookedAt) {
+  const SceneResult found = Sequence().solve(parse_scene_file(
+      "rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nposition.lateral = 6.0\nload.force = 8e4\n"
+      "load.force_y = 2e4\nmotion.friction = 0.3\nsolver.model = \"halfspace\"\n"
+      "grid = { dx = 0.7071067811865476, ds = 0.5 }\n"));
+  EXPECT_NEAR(found.result.totals.Fy, 2e4, 0.2);
+  EXPECT_NEAR(found.motion.found_lateral->lateral, 6.497, 2e-3);
+}
+
 /// From beside the greatest force of the flange, where one rough solution misses the model's by much.
 TEST(PrescribedLateralForce, AForceNearTheGreatestIsFound) {
   const std::string more = "motion.frictionless = true\nposition.rail_inclination = 0.05\n";

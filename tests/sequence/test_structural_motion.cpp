@@ -291,6 +291,36 @@ TEST(ContactMotion, SlidesNowhereOnTop) {
   EXPECT_NEAR(placed.result.totals.Fy, undeformed.result.totals.Fy, 2e-3 * placed.result.totals.Fz);
 }
 
+/// What linear kinematics leaves out is in its stated errors: at given places, and where the lateral force is
+/// given.
+TEST(ContactMotion, StatedErrorsOfLinearKinematicsCoverIt) {
+  struct Place {
+    const char* rail;
+    double inclination, lateral, force, friction;
+  };
+  for (const Place& at : {Place{"54E1", 0.025, 6.4644, 62303, 0.1},
+                          {"54E1", 0.025, 6.197, 106891, 0.1},
+                          {"60E1", 0.025, 6.03, 95567, 0.1}}) {
+    const auto solved_with = [&](const std::string& more) {
+      return Sequence().solve(parse_scene_file(fmt::format(
+          "rail.profile = '{}'\nwheel.profile = 'S1002'\nposition.rail_inclination = {}\n"
+          "position.lateral = {}\nload.force = {}\nmotion.friction = {}\nsolver.model = 'halfspace'\n{}",
+          at.rail, at.inclination, at.lateral, at.force, at.friction, more)));
+    };
+    const SceneResult linear = solved_with(""), placed = solved_with(by_contact);
+    const std::string force = fmt::format("load.force_y = {:.9g}\n", linear.result.totals.Fy.value + 500);
+    const SceneResult linear_by_force = solved_with(force), placed_by_force = solved_with(force + by_contact);
+    for (const auto& [a, b] : {std::pair(&linear, &placed), {&linear_by_force, &placed_by_force}})
+      for (const auto number : {&ContactTotals::Fx, &ContactTotals::Fy, &ContactTotals::pmax,
+                                &ContactTotals::area, &ContactTotals::approach, &ContactTotals::T_gamma}) {
+        const Measured &x = a->result.totals.*number, &y = b->result.totals.*number;
+        EXPECT_LE(std::abs(x - y), x.error + y.error) << at.rail << ' ' << x.value << ' ' << y.value;
+      }
+    EXPECT_GT(linear.result.totals.Fy.error, 2 * placed.result.totals.Fy.error);
+    EXPECT_GT(linear_by_force.result.totals.pmax.error, 1.2 * placed_by_force.result.totals.pmax.error);
+  }
+}
+
 TEST(ContactMotion, ALeftWheelIsTheMirrorImage) {
   const SceneFile scene = with_model(gauge_corner(5e4, "removed", by_contact), Model::halfspace);
   SceneFile mirrored = scene;

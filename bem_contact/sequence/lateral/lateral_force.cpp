@@ -89,23 +89,6 @@ LateralSample narrow_lateral(const LateralForce& force, double wanted, const Lat
   return best;
 }
 
-std::optional<LateralBracket> bracket_lateral(const LateralForce& force, double wanted,
-                                              const LateralSample& from, double step, double limit) {
-  LateralSample last = from;
-  for (; last.lateral != limit && step != 0; step *= 2) {
-    const double further = from.lateral + step;
-    const double at = (further - limit) * step < 0 ? further : limit;
-    const std::optional<double> there = force(at);
-    if (!there)
-      break;
-    const LateralSample next{at, *there};
-    if ((next.force - wanted) * (last.force - wanted) <= 0)
-      return LateralBracket{last, next};
-    last = next;
-  }
-  return std::nullopt;
-}
-
 std::optional<LateralBracket> bracket_lateral_beside(const LateralForce& force, double wanted,
                                                      const LateralSample& from, double step,
                                                      double farthest) {

@@ -27,13 +27,9 @@ struct LateralBracket {
 LateralSample narrow_lateral(const LateralForce& force, double wanted, const LateralBracket& bracket,
                              double tolerance, double width);
 
-/// Steps from `from` by `step`, 2 `step`, 4 `step` ... (mm), but not beyond `limit` (mm), until the force
-/// passes `wanted` between two of them. Nothing if it does not, or if it is not known on the way.
-std::optional<LateralBracket> bracket_lateral(const LateralForce& force, double wanted,
-                                              const LateralSample& from, double step, double limit);
-
-/// The same to both sides in turn, at most `farthest` from `from` (mm). `step`: its sign says which side is
-/// first. A side ends where the force is not known.
+/// Steps from `from` by `step`, 2 `step`, 4 `step` ... (mm) to both sides in turn, at most `farthest` from
+/// `from` (mm), until the force passes `wanted` between two of them. `step`: its sign says which side is
+/// first. A side ends where the force is not known. Nothing if the force does not pass.
 std::optional<LateralBracket> bracket_lateral_beside(const LateralForce& force, double wanted,
                                                      const LateralSample& from, double step, double farthest);
 

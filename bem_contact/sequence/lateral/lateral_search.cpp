@@ -125,13 +125,6 @@ std::optional<LateralBracket> LateralSearch::beside_start(const LateralForce& fo
 /// known `within` (mm) of it. Nothing if the model does not pass it there; the curve then knows better.
 std::optional<LateralBracket> LateralSearch::bracket(const LateralForce& force, const Crossing& crossing,
                                                      double within) {
-  const auto learning = [&](double at) {
-    const std::optional<double> there = force(at);
-    if (!there)
-      refuse_search(question_.wanted, {at, NAN}, Certificate().tolerance * question_.resultant);
-    curve_.learn({at, *there});
-    return there;
-  };
   std::optional<LateralSample> from;
   double force_there = 1; // beyond the wanted one
   for (const int side : {-1, 1}) {
@@ -148,13 +141,18 @@ std::optional<LateralBracket> LateralSearch::bracket(const LateralForce& force, 
       from = beside;
   }
   if (!from) {
-    learning(on_curve(crossing));
+    const double at = on_curve(crossing);
+    const std::optional<double> there = force(at);
+    if (!there)
+      refuse_search(question_.wanted, {at, NAN}, Certificate().tolerance * question_.resultant);
+    curve_.learn({at, *there});
     return std::nullopt;
   }
+  // Rough forces are uneven: beside a displacement that almost bears the force, the curve may pass it on the
+  // wrong side.
   const double step = crossing.about - from->lateral, least = finest * lateral::unsure;
-  return bracket_lateral(learning, question_.wanted, *from,
-                         std::copysign(std::max(std::abs(step), least), step),
-                         from->lateral + std::copysign(lateral::spacing, step));
+  return bracket_lateral_beside([&](double at) { return try_at(force, at); }, question_.wanted, *from,
+                                std::copysign(std::max(std::abs(step), least), step), lateral::spacing);
 }
 
 /// Where the curve comes nearest to a force that it does not pass: the model there, or at its own extremum

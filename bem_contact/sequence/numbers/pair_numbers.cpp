@@ -156,7 +156,8 @@ InfluenceNumbers halfspace_pair(const ContactSetup& setup, const ContactOnGrid& 
   return halfspace::combine(rail, reversed(above == below ? rail : one(above)));
 }
 
-InfluenceNumbers tangent_plane_pair(const ContactSetup& setup, const ContactOnGrid& contact) {
+InfluenceNumbers tangent_plane_pair(const ContactSetup& setup, const ContactOnGrid& contact,
+                                    NumbersParts* known) {
   const ContactGrid& grid = contact.problem.grid;
   const bool plane_strain = contact.problem.plane_strain();
   std::vector<ContactRow> wheel = contact.problem.rows; // the wheel's own frame is turned by pi about x
@@ -164,9 +165,11 @@ InfluenceNumbers tangent_plane_pair(const ContactSetup& setup, const ContactOnGr
     row.position = -1.0 * row.position;
   const halfspace::StripGrid strip{plane_strain ? 0.0 : grid.dx, grid.ds, plane_strain ? 1 : grid.mx + 2,
                                    setup.reference_distance()};
+  halfspace::LineStore of_this_pair;
+  halfspace::LineStore& lines = known ? known->lines : of_this_pair;
   return halfspace::combine(
-      halfspace::tangent_plane_numbers(setup.rail.material, strip, contact.problem.rows),
-      halfspace::tangent_plane_numbers(setup.wheel.material, strip, wheel));
+      halfspace::tangent_plane_numbers(setup.rail.material, strip, contact.problem.rows, &lines),
+      halfspace::tangent_plane_numbers(setup.wheel.material, strip, wheel, &lines));
 }
 
 InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, const ContactOnGrid& contact,

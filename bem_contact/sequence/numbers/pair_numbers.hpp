@@ -28,7 +28,8 @@ InfluenceNumbers halfspace_pair(const ContactSetup& setup, const ContactOnGrid& 
                                 NumbersParts* known = nullptr);
 
 /// Tangent-plane numbers of the pair (halfspace/tangent_plane.hpp), both surfaces taken where the rows lie.
-InfluenceNumbers tangent_plane_pair(const ContactSetup& setup, const ContactOnGrid& contact);
+InfluenceNumbers tangent_plane_pair(const ContactSetup& setup, const ContactOnGrid& contact,
+                                    NumbersParts* known = nullptr);
 
 /// Inclination of the rows against the wheel's axle, rad, where fem_pair() adds the wheel's radial
 /// displacement: in steady rolling of a wheel on a rail with friction, unless the scene leaves it out. Else

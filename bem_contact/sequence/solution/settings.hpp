@@ -38,6 +38,16 @@ BEM_CONTACT_TUNED(double, negligible_patch, 0.01);
 BEM_CONTACT_TUNED(int, most_plane_moves, 10);
 BEM_CONTACT_RELATION(plane_turn_of_force <= largest_plane_turn);
 
+// What linear kinematics leaves open (slide_errors.hpp).
+
+/// 1. How far shear moves the surfaces past each other, over the approach of a patch and Fs/Fn: a Hertzian
+/// contact that slips yields to shear (2 - nu)/(2 (1 - nu)) times as much as to pressure (Johnson 1985,
+/// section 7.2), steel 1.21.
+BEM_CONTACT_TUNED(double, shear_slide, 1.2);
+/// 1. A trial whose lateral force is off by so many times the wanted difference, or by one over it, still
+/// tells how numbers change with it. Chosen: nearer ones show the elements, farther ones another contact.
+BEM_CONTACT_TUNED(double, farthest_trial, 20.0);
+
 // Start from the case before.
 
 /// 1. Two areas are the same contact if they overlap by this share of the smaller one.

@@ -140,9 +140,9 @@ public:
   NumbersOfGrid(const ContactCase& asked, Model model, const ContactOnGrid& contact,
                 const SolveResources& resources)
       : store_(store_for(model, resources.numbers)), source_(source_of(model, asked.setup, contact)),
-        compute_([&asked, &contact, &resources, model, store = store_] {
-          return pair_numbers(model, asked.setup, asked.files, contact, store ? &store->parts() : nullptr,
-                              resources.threads);
+        compute_([&asked, &contact, &resources, model] {
+          return pair_numbers(model, asked.setup, asked.files, contact,
+                              resources.numbers ? &resources.numbers->parts() : nullptr, resources.threads);
         }) {}
 
   /// `elsewhere`: where they are without a store, if they are there.
@@ -285,8 +285,8 @@ std::optional<Measured> free_creepage_of(const ContactCase& asked, GridSolution&
   }
   layer.reset();
   pair.keep(std::move(problem.numbers), solved.numbers);
-  const bool stated = result.trust.discretisation && result.trust.discretisation->converges;
-  if (stated && found && !std::isfinite(found->error)) // a precise solution may have an error
+  if (result.trust.discretisation && found &&
+      !std::isfinite(found->error)) // a precise solution may have an error
     found.reset();
   return found;
 }

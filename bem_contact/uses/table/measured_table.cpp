@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -25,6 +27,18 @@ namespace {
 
 /// 1. Rounds, as a guard: each inserts a point at least, and 200 points on an axis are no table.
 constexpr int most_rounds = 200;
+/// 1. In the middle of a cell its corners have a larger weight along each axis than this, and others a
+/// smaller one.
+constexpr double corner_weight = 0.3;
+/// 1, of a difference between a middle and a corner. Where the interpolation in the middle is off by less,
+/// there is no jump between them: one that passes off a single corner of four leaves a quarter.
+constexpr double jump_off = 0.2;
+/// 1. How often the way from the middle to the corner is halved, and the share of the difference that is
+/// then left of a jump. A bend leaves half of it each time, an eighth in the end.
+constexpr int jump_halvings = 3;
+constexpr double jump_left = 0.7;
+/// 1. Ways that are looked at for each column, the steepest. Chosen: each takes jump_halvings solutions.
+constexpr std::size_t most_ways = 6;
 
 [[noreturn]] void refuse_to_hold(const Column& column) {
   throw InputError(fmt::format("{} cannot be held within the tolerance", column.name),
@@ -94,6 +108,54 @@ std::vector<WorstError> MeasuredTable::measure(std::span<const Point> middles) {
       worst_ = here;
   }
   return wrong;
+}
+
+std::vector<MeasuredTable::Way> MeasuredTable::steep_ways(std::span<const Point> middles,
+                                                          std::size_t column) const {
+  const Column& of = table_.columns[column];
+  std::vector<Way> out;
+  for (const Point& middle : middles) {
+    const double here = off(middle, column), there = known_.at(middle).values[column];
+    Way steepest{.column = column};
+    for (const PointWeight& corner : weights_at(table_, middle))
+      if (corner.weight >= std::pow(corner_weight, double(middle.size())))
+        if (const double step = std::abs(of.values[corner.index] - there); step > steepest.step)
+          steepest = {column, middle, table_.point(corner.index), step};
+    if (steepest.step > of.interpolation_error && here >= jump_off * steepest.step)
+      out.push_back(std::move(steepest));
+  }
+  std::ranges::sort(out, std::ranges::greater(), &Way::step);
+  out.resize(std::min(out.size(), most_ways));
+  return out;
+}
+
+void MeasuredTable::state_jumps(std::span<const Point> middles) {
+  std::vector<Way> ways;
+  for (std::size_t c = 0; c < table_.columns.size(); ++c)
+    std::ranges::move(steep_ways(middles, c), std::back_inserter(ways));
+  std::vector<Way> halves = ways;
+  for (int round = 0; round < jump_halvings; ++round) {
+    std::vector<Point> between;
+    for (const Way& way : halves) {
+      between.push_back(way.from);
+      for (std::size_t a = 0; a < way.to.size(); ++a)
+        between.back()[a] = 0.5 * (way.from[a] + way.to[a]);
+    }
+    ask(between);
+    for (std::size_t k = 0; k < halves.size(); ++k) {
+      Way& way = halves[k];
+      const auto value = [&](const Point& at) { return known_.at(at).values[way.column]; };
+      const double before = std::abs(value(between[k]) - value(way.from)),
+                   after = std::abs(value(way.to) - value(between[k]));
+      (before > after ? way.to : way.from) = between[k];
+      way.step = std::max(before, after);
+    }
+  }
+  for (std::size_t k = 0; k < ways.size(); ++k)
+    if (double& stated = table_.columns[ways[k].column].interpolation_error;
+        halves[k].step >= jump_left * ways[k].step)
+      stated = std::max(stated, ways[k].step);
+  table_.solved = known_.size();
 }
 
 std::string MeasuredTable::worst_text() const {

@@ -33,8 +33,21 @@ public:
   /// too large.
   std::vector<WorstError> measure(std::span<const Point> middles);
   const WorstError& worst() const { return worst_; } ///< of the last measurement
+  /// Beside a jump the table may be off by all of it, however small the cells are, and their middles tell of
+  /// half of it. Where a column changes most from a middle to a corner, and the middle is off, the way
+  /// between them is halved again and again: what does not become smaller is a jump, and the stated error
+  /// covers it.
+  void state_jumps(std::span<const Point> middles);
 
 private:
+  /// From the middle of a cell to one of its corners, and how much a column changes on it, in its unit.
+  struct Way {
+    std::size_t column = 0;
+    Point from{}, to{};
+    double step = 0;
+  };
+  /// The ways on which there may be a jump that is larger than the stated error.
+  std::vector<Way> steep_ways(std::span<const Point> middles, std::size_t column) const;
   void require_room(int round) const;
   std::string worst_text() const;
 

@@ -35,7 +35,7 @@ public:
       if (wrong.empty()) // nothing wrong is seen: look at all of them
         wrong = measured_.measure(cells);
       if (wrong.empty())
-        return;
+        return measured_.state_jumps(cells);
       insert(wrong);
     }
   }

@@ -112,7 +112,7 @@ public:
       find_cells({&root_}, cell, 0, cells);
       const std::vector<Cell> wrong = measure(cells);
       if (wrong.empty())
-        return;
+        return measured_.state_jumps(middles_of(cells));
       insert(wrong);
     }
   }
@@ -127,11 +127,16 @@ private:
     measured_.fill(round);
   }
 
+  static std::vector<Point> middles_of(const std::vector<Cell>& cells) {
+    std::vector<Point> out;
+    for (const Cell& cell : cells)
+      out.push_back(cell.middle());
+    return out;
+  }
+
   /// The cells whose errors are too large.
   std::vector<Cell> measure(const std::vector<Cell>& cells) {
-    std::vector<Point> middles;
-    for (const Cell& cell : cells)
-      middles.push_back(cell.middle());
+    const std::vector<Point> middles = middles_of(cells);
     std::vector<Cell> wrong;
     auto at = middles.begin();
     for (const WorstError& here : measured_.measure(middles)) { // in the order of the middles

@@ -13,7 +13,7 @@ namespace bem_contact::table {
 ///     first/NAME                [m + 1] of a nested axis (Axis::first), m: points of the axes before it
 ///     values/NAME               [n of the first axis][n of the second]..., with unit;
 ///                               [points] where axes are nested
-///     interpolation_error/NAME  largest found in the middle of any cell
+///     interpolation_error/NAME  largest found in the middle of any cell, and the largest jump
 ///     element_error/NAME        largest stated by a point; nan: not known
 ///     scale/NAME                what the tolerance is relative to
 ///     creep_scale/log10_a_over_b, C11, C22   of a creep table

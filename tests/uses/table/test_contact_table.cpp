@@ -101,6 +101,41 @@ TEST(Refine, MeetsTheToleranceAtPointsNotUsed) {
   }
 }
 
+/// A second contact begins: the function jumps.
+double with_jump(const Point& p) {
+  return 0.3 * p[0] + (p[0] + 0.1 * p[1] > 0.91 ? 0.2 : 0.0);
+}
+
+double with_bend(const Point& p) {
+  return 0.2 * p[0] + 2 * std::max(0.0, p[0] - 0.375) + 0.01 * p[1];
+}
+
+/// Middles of cells tell of half of a jump; the stated error is all of it, and no more points are taken for
+/// it.
+TEST(Refine, TheStatedErrorCoversAJump) {
+  const ContactTable t = refined(with_jump, {.tolerance = 0.13});
+  const double stated = t.columns[0].interpolation_error;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> x(0, 1), y(2, 4);
+  double worst = 0;
+  int outside = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Point p{x(random), y(random)};
+    const double off = std::abs(interpolate(t, t.columns[0], p) - with_jump(p));
+    worst = std::max(worst, off);
+    outside += off > stated;
+  }
+  EXPECT_GT(worst, 0.14) << "this test would say nothing";
+  EXPECT_LT(outside, 100);
+  EXPECT_NEAR(stated, 0.2, 0.1);
+}
+
+/// Where a function merely bends, the stated error is what the middles say.
+TEST(Refine, ABendIsNoJump) {
+  const ContactTable t = refined(with_bend, {.tolerance = 0.2});
+  EXPECT_LE(t.columns[0].interpolation_error, 0.2);
+}
+
 /// The plane with a line of points of its own at each x.
 ContactTable nested_plane() {
   ContactTable t = plane();
