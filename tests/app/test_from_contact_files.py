@@ -250,6 +250,7 @@ class SilentKinds(Conversion):
     def test_what_ends_with_its_digit(self):
         layer = BALL.replace("022020", "022420").replace("POISS, GG", "\n 8200. 0.05 0. 0. GG3, LAYTHK, TAU_C0, K_TAU")
         self.assertIn("layer.thickness", self.changed(layer))
+        self.assertNotIn("layer.shear_modulus", self.changed(layer.replace("8200. 0.05", "8200. 0.")))
         self.assertNotIn("layer.thickness", self.changed(layer + BALL, case=1))
         sheet = BALL.replace("203100", "213100").replace("POISS, GG", "\n 1e-5 FLX_Z")
         self.assertIn("layer.normal_compliance", self.changed(sheet))

@@ -70,7 +70,7 @@ void add_bodies(const CaseState& state, ContactCase& out) {
   if (layer["TAU_C0"] != 0 && layer["TAU_C0"] < never_yields)
     out.refuse(
         fmt::format("M = 4 with TAU_C0 = {}: a layer that yields; here layers are elastic", layer["TAU_C0"]));
-  if (state.digits['T'] != 0) {
+  if (state.digits['T'] != 0 && layer["LAYTHK"] != 0) { // without thickness it has no compliance
     out.set("layer.shear_modulus", layer["GG3"]);
     out.set("layer.thickness", layer["LAYTHK"]);
   }
