@@ -1,6 +1,6 @@
 # What the solver in a page is built on (the preset browser, WebAssembly): those of Debian's headers that serve any machine. In
 # place of libraries there are sha256_alone.cpp (OpenSSL), parallel_alone.cpp (OpenMP), dense_eigen.cpp (OpenBLAS),
-# flat_files.cpp (HDF5) and bem_contact/browser/fft (FFTW).
+# flat_files.cpp (HDF5) and bem_contact/contact/fft (FFTW).
 if(EMSCRIPTEN_VERSION VERSION_LESS 3.1.69)
   message(FATAL_ERROR "emscripten ${EMSCRIPTEN_VERSION} is too old (its standard library lacks parts of C++20) use Debian 13")
 endif()
@@ -8,20 +8,8 @@ find_program(SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
 find_program(NODE NAMES node nodejs REQUIRED)
 find_file(PLOTLY_LIBRARY NAMES plotly.min.js plotly.js PATHS /usr/share/python3-plotly NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH REQUIRED)
 
-# They lie in a folder of their own: in /usr/include the headers of this machine's C library would hide emscripten's.
-add_library(conformal_headers INTERFACE)
-foreach(name boost fmt nlohmann spdlog toml++)
-  if(NOT EXISTS /usr/include/${name})
-    message(FATAL_ERROR "There is no /usr/include/${name} (the preset browser needs it) run tools/install_packages browser")
-  endif()
-  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/headers)
-  file(CREATE_LINK /usr/include/${name} ${CMAKE_BINARY_DIR}/headers/${name} SYMBOLIC)
-endforeach()
-target_include_directories(conformal_headers SYSTEM INTERFACE ${CMAKE_BINARY_DIR}/headers /usr/include/eigen3)
-target_compile_definitions(conformal_headers INTERFACE FMT_HEADER_ONLY SPDLOG_FMT_EXTERNAL)
-foreach(target Eigen3::Eigen fmt::fmt spdlog::spdlog nlohmann_json::nlohmann_json)
-  add_library(${target} ALIAS conformal_headers)
-endforeach()
+include(tools/cmake/headers.cmake)
+conformal_host_headers(boost fmt nlohmann spdlog toml++)
 # A long double has 128 bits there: clang 19 fails on its constants, and Boost would compute with it.
 add_library(conformal_boost INTERFACE)
 target_compile_definitions(conformal_boost INTERFACE BOOST_MATH_NO_LONG_DOUBLE_MATH_FUNCTIONS)
@@ -29,7 +17,4 @@ add_library(Boost::headers ALIAS conformal_boost)
 
 add_compile_options(-msimd128 $<$<COMPILE_LANGUAGE:CXX>:-fwasm-exceptions>)
 add_link_options(-fwasm-exceptions)
-
-add_library(conformal_fft STATIC bem_contact/browser/fft/fft.cpp)
-target_include_directories(conformal_fft PUBLIC bem_contact/browser/fft)
-add_library(PkgConfig::FFTW3 ALIAS conformal_fft)
+set(CONFORMAL_FFT own)

@@ -8,7 +8,11 @@ find_package(spdlog REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(Boost 1.74 REQUIRED) # Boost.Math, headers alone: roots, quadrature points, elliptic integrals
-pkg_check_modules(FFTW3 REQUIRED IMPORTED_TARGET fftw3 fftw3f)
+if(CONFORMAL_FFT STREQUAL "fftw")
+  pkg_check_modules(FFTW3 REQUIRED IMPORTED_TARGET fftw3 fftw3f)
+elseif(NOT CONFORMAL_FFT STREQUAL "own")
+  message(FATAL_ERROR "CONFORMAL_FFT is '${CONFORMAL_FFT}' (there are two kinds of transforms) say fftw or own")
+endif()
 pkg_check_modules(OPENBLAS REQUIRED IMPORTED_TARGET openblas)
 
 # The page of `bem_contact explore`; only bem_contact/explore sees it.

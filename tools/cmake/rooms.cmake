@@ -11,7 +11,7 @@ set(CONFORMAL_SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 
 add_library(conformal_options INTERFACE)
 target_include_directories(conformal_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
-if(EMSCRIPTEN)
+if(TARGET conformal_headers)
   target_link_libraries(conformal_options INTERFACE conformal_headers)
 endif()
 target_compile_options(conformal_options INTERFACE $<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow>)
@@ -125,7 +125,7 @@ endif()
 # The preset sanitize runs all tests of these programs (no tests/sanitized.hpp), so that they need no second run
 # (CONFORMAL_TESTS_ONCE).
 set(conformal_tests_under_sanitizers test_base test_base_alone test_record test_profile test_influence test_dense_eigen test_scene
-    test_c test_explore test_browser_fft test_reference test_table)
+    test_c test_explore test_fft_alone test_reference test_table)
 
 function(conformal_test name)
   if(CONFORMAL_TESTS_ONCE AND name IN_LIST conformal_tests_under_sanitizers)
