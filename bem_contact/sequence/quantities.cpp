@@ -95,7 +95,8 @@ constexpr Quantity known_quantities[] = {
      [](const SceneResult& r) {
        const auto& found = r.motion.found_lateral;
        return Measured{r.motion.lateral.value_or(none), found ? found->lateral.error : none};
-     }},
+     },
+     Missing::possible},
     {"approach", mm, "along z", of_totals<&ContactTotals::approach>},
     {"pmax", megapascal, "largest pressure", of_totals<&ContactTotals::pmax>},
     {"area", square, "in contact", of_totals<&ContactTotals::area>},
@@ -103,15 +104,16 @@ constexpr Quantity known_quantities[] = {
      "how deep the surfaces are indented for good at most; nan: no limit_pressure is given",
      [](const SceneResult& r) {
        return r.problem.limit_pressure ? std::max(0.0, -std::ranges::min(r.result.deformed_distance)) : none;
-     }},
+     },
+     Missing::possible},
     {"adhesion_share", share_unit, "of the area in contact that adheres",
      of_totals<&ContactTotals::adhesion_share>},
     {"T_gamma", work_unit, "work of friction per unit of rolled distance (shift: in the step)",
      of_totals<&ContactTotals::T_gamma>},
     {"Tmax_rail", celsius, "highest temperature of the rail's surface; nan: not asked for",
-     of_totals<&ContactTotals::Tmax_rail>},
+     of_totals<&ContactTotals::Tmax_rail>, Missing::possible},
     {"Tmax_wheel", celsius, "highest temperature of the wheel's surface; nan: not asked for",
-     of_totals<&ContactTotals::Tmax_wheel>},
+     of_totals<&ContactTotals::Tmax_wheel>, Missing::possible},
     {"xi", creepage_unit, "longitudinal creepage, with what was found for load.force_x",
      [](const SceneResult& r) {
        return Measured{r.motion.xi, r.result.totals.creepage_x.error};
@@ -130,23 +132,27 @@ constexpr Quantity known_quantities[] = {
      "of the layer under shear, given or found for layer.slope; nan: there is none, or rows differ",
      [](const SceneResult& r) {
        return r.layer.shear.empty() || r.layer.by_row() ? none : r.layer.shear.front();
-     }},
+     },
+     Missing::possible},
     {"layer_slope", share_unit,
      "slope of Fx over xi at 0 with the layer, over that without it, by slopes in series (within 4 %); nan: "
      "no layer",
-     [](const SceneResult& r) { return r.layer.shear.empty() ? none : r.layer_slope; }},
+     [](const SceneResult& r) { return r.layer.shear.empty() ? none : r.layer_slope; }, Missing::possible},
     {"layer_normal_compliance", compliance_unit, "of the layer under pressure; nan: there is none",
-     [](const SceneResult& r) { return r.layer.normal > 0 ? r.layer.normal : none; }},
+     [](const SceneResult& r) { return r.layer.normal > 0 ? r.layer.normal : none; }, Missing::possible},
     {"plastic_slip", mm, "largest plastic slip of the layer; nan: it does not yield",
      [](const SceneResult& r) {
        return r.result.plastic.empty() ? none : std::ranges::max(r.result.plastic);
-     }},
+     },
+     Missing::possible},
     {"free_rolling_xi", creepage_alone, "longitudinal creepage at which Fx is 0; nan: not looked for",
-     [](const SceneResult& r) { return r.motion.free_rolling ? r.motion.free_rolling->xi : Measured{none}; }},
+     [](const SceneResult& r) { return r.motion.free_rolling ? r.motion.free_rolling->xi : Measured{none}; },
+     Missing::possible},
     {"free_rolling_radius", mm, "rolling radius at which Fx is 0; nan: not looked for",
      [](const SceneResult& r) {
        return r.motion.free_rolling ? r.motion.free_rolling->radius() : Measured{none};
-     }},
+     },
+     Missing::possible},
     {"patch_count", number, "connected areas in contact",
      [](const SceneResult& r) { return double(r.result.patches.size()); }},
     {"Fn_2", newton, "normal force of the second largest patch; 0: there is none",
@@ -172,7 +178,8 @@ constexpr Quantity known_quantities[] = {
      [](const SceneResult& r) {
        const double error = r.result.trust.certificate.discretisation;
        return error < 0 ? none : error;
-     }},
+     },
+     Missing::possible},
     {"outer_iterations", effort, "between the normal and the tangential problem",
      of_effort<&Effort::outer_iterations>},
     {"normal_iterations", effort, "changes of the active set", of_effort<&Effort::normal_iterations>},

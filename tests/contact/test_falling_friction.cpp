@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Vollebregt's locomotive: 106.7 kN, a/b = .5, mu = .14 + .19 2^(-w / 1250 mm/s), 10 m/s.
+/// Vollebregt's locomotive: 106.7 kN, a/b = 0.5, mu = 0.14 + 0.19 2^(-w / 1250 mm/s), 10 m/s.
 ContactProblem locomotive(double xi, int mx = 40, int ms = 20) {
   ContactProblem problem =
       scenes::flat(scenes::steel, scenes::steel, mx, ms, 16.0 / mx, 32.0 / ms, 8e-4, 2.814e-4);
@@ -281,16 +281,16 @@ TEST(FallingFriction, WithoutDistanceMemoryIsNone) {
 /// Steep laws that do not settle without it: with memory over some elements' slip there is one solution.
 TEST(FallingFriction, WithMemorySteepLawsSettle) {
   int without = 0, with = 0;
-  for (const double half : {2.0, 5.0, 20.0})
-    for (const double xi : {2e-3, 4e-3, 8e-3}) {
+  for (const double half : {3.0, 2.0, 1.5})
+    for (const double xi : {8e-4, 1.6e-3}) {
       ContactProblem problem = locomotive(xi);
       problem.falling = {exponential_friction(0.14, 0.19, half)};
       without += solve(problem, scenes::without_estimate).certified();
-      problem.memory = FrictionMemory{0.02, 1};
+      problem.memory = FrictionMemory{0.003, 1};
       with += solve(problem, scenes::without_estimate).certified();
     }
-  EXPECT_EQ(with, 9);
-  EXPECT_LT(without, 9);
+  EXPECT_EQ(with, 6);
+  EXPECT_LT(without, 6);
 }
 
 TEST(FallingFriction, MemoryNeedsAFall) {
