@@ -1,6 +1,8 @@
 #include "bem_contact/influence/dense.hpp"
 
 #include "bem_contact/base/loaded_library.hpp"
+#include "bem_contact/influence/column_loops.hpp"
+#include "bem_contact/influence/few_unknowns.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,17 +17,9 @@ extern "C" {
 void openblas_set_num_threads(int);
 int openblas_get_num_threads();
 void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
-void dtrsv_(const char* uplo, const char* trans, const char* diag, const int* n, const double* a,
-            const int* lda, double* x, const int* incx);
 void dtrsm_(const char* side, const char* uplo, const char* transa, const char* diag, const int* m,
             const int* n, const double* alpha, const double* a, const int* lda, double* b, const int* ldb);
 void sgetrf_(const int* m, const int* n, float* a, const int* lda, int* pivots, int* info);
-void strsm_(const char* side, const char* uplo, const char* transa, const char* diag, const int* m,
-            const int* n, const float* alpha, const float* a, const int* lda, float* b, const int* ldb);
-void sgemv_(const char* trans, const int* m, const int* n, const float* alpha, const float* a, const int* lda,
-            const float* x, const int* incx, const float* beta, float* y, const int* incy);
-void dgemv_(const char* trans, const int* m, const int* n, const double* alpha, const double* a,
-            const int* lda, const double* x, const int* incx, const double* beta, double* y, const int* incy);
 void dgemm_(const char* transa, const char* transb, const int* m, const int* n, const int* k,
             const double* alpha, const double* a, const int* lda, const double* b, const int* ldb,
             const double* beta, double* c, const int* ldc);
@@ -39,20 +33,13 @@ constexpr LoadedLibrary blas(CONFORMAL_OPENBLAS_LIBRARY);
 BEM_CONTACT_LOADED_FUNCTION(blas, openblas_set_num_threads)
 BEM_CONTACT_LOADED_FUNCTION(blas, openblas_get_num_threads)
 BEM_CONTACT_LOADED_FUNCTION(blas, dpotrf_)
-BEM_CONTACT_LOADED_FUNCTION(blas, dtrsv_)
 BEM_CONTACT_LOADED_FUNCTION(blas, dtrsm_)
 BEM_CONTACT_LOADED_FUNCTION(blas, sgetrf_)
-BEM_CONTACT_LOADED_FUNCTION(blas, strsm_)
-BEM_CONTACT_LOADED_FUNCTION(blas, sgemv_)
-BEM_CONTACT_LOADED_FUNCTION(blas, dgemv_)
 BEM_CONTACT_LOADED_FUNCTION(blas, dgemm_)
 
 /// Bytes of memory that OpenBLAS takes for each call that runs beside others, and keeps. Where the system
 /// gives none it asks again and again, for ever.
 constexpr std::size_t blas_buffer = 128 << 20;
-/// Fewer numbers of the vectors of a product or a triangular system do not need one: they are on the stack,
-/// up to 2048 bytes.
-constexpr int largest_without_buffer = 200;
 
 /// As OpenBLAS asks for it: of the system and, where that has none, of the heap.
 bool is_there_memory_for_a_buffer() {
@@ -67,15 +54,11 @@ bool is_there_memory_for_a_buffer() {
 /// through. Throws std::bad_alloc.
 class OneThread {
 public:
-  /// `numbers` are copied at most, where a call has one column alone.
-  explicit OneThread(int numbers = largest_without_buffer) {
+  OneThread() {
     const std::lock_guard lock(mutex);
-    const bool takes_buffer = numbers >= largest_without_buffer && callers >= buffers;
-    if ((takes_buffer || !is_open) && !is_there_memory_for_a_buffer()) // where it is opened it takes one, too
+    if (callers >= buffers && !is_there_memory_for_a_buffer())
       throw std::bad_alloc();
-    is_open = true;
-    if (takes_buffer)
-      buffers = callers + 1;
+    buffers = std::max(buffers, callers + 1);
     if (callers++ == 0) {
       before = openblas_get_num_threads();
       if (before != 1) // it does not look itself
@@ -92,7 +75,6 @@ public:
 
 private:
   inline static std::mutex mutex;
-  inline static bool is_open = false;
   inline static int callers = 0, before = 1;
   inline static int buffers = 0; ///< that OpenBLAS has, at least: the most callers so far
 };
@@ -101,115 +83,122 @@ private:
 
 bool factor_cholesky(Eigen::MatrixXd& a) {
   const int n = static_cast<int>(a.rows());
+  if (n <= few::most)
+    return few::factor_cholesky(a.data(), n);
   int info = 0;
   const OneThread one_thread;
-  if (n > 0)
-    dpotrf_("L", &n, a.data(), &n, &info);
+  dpotrf_("L", &n, a.data(), &n, &info);
   return info == 0;
 }
 
 namespace {
 
-/// x := op(L)^-1 x
-void solve_triangle(const char* op, const Eigen::MatrixXd& factor, Eigen::Ref<Eigen::MatrixXd> x) {
-  const int n = static_cast<int>(factor.rows()), columns = static_cast<int>(x.cols()), stride = 1,
+/// x := op(L)^-1 x; `few_columns` does so with one column.
+void solve_triangle(const char* op, void (*few_columns)(const double*, int, double*),
+                    const Eigen::MatrixXd& factor, Eigen::Ref<Eigen::MatrixXd> x) {
+  const int n = static_cast<int>(factor.rows()), columns = static_cast<int>(x.cols()),
             between = static_cast<int>(x.outerStride());
+  if (n <= few::most || columns == 1) { // dtrsm copies the factor first, which takes longer
+    for (int k = 0; k < columns; ++k)
+      few_columns(factor.data(), n, x.data() + static_cast<std::ptrdiff_t>(k) * between);
+    return;
+  }
   const double one = 1;
-  const OneThread one_thread(columns == 1 ? 2 * n : largest_without_buffer);
-  if (n > 0 && columns == 1) // dtrsm, and LAPACK's dpotrs, copy the factor first, which takes longer
-    dtrsv_("L", op, "N", &n, factor.data(), &n, x.data(), &stride);
-  else if (n > 0 && columns > 0)
+  const OneThread one_thread;
+  if (columns > 0)
     dtrsm_("L", "L", op, "N", &n, &columns, &one, factor.data(), &n, x.data(), &between);
 }
 
 } // namespace
 
 void solve_lower(const Eigen::MatrixXd& factor, Eigen::Ref<Eigen::MatrixXd> x) {
-  solve_triangle("N", factor, x);
+  solve_triangle("N", few::solve_lower, factor, x);
 }
 
 void solve_lower_transposed(const Eigen::MatrixXd& factor, Eigen::Ref<Eigen::MatrixXd> x) {
-  solve_triangle("T", factor, x);
+  solve_triangle("T", few::solve_lower_transposed, factor, x);
 }
 
 namespace {
 
 constexpr int lu_block = 32; ///< rows and columns of a block on the diagonal. Chosen
 
-/// y += sign A x with A of m rows and n columns, `stride` floats from column to column
-void add_product(int m, int n, float sign, const float* a, int stride, const float* x, float* y) {
-  const float one = 1;
-  const int step = 1;
-  if (m > 0 && n > 0)
-    sgemv_("N", &m, &n, &sign, a, &stride, x, &step, &one, y, &step);
+/// The inverse of a triangle of A, in place of the identity.
+void invert_triangle(bool lower, int size, const float* a, int stride, float* inverse) {
+  for (int column = 0; column < size; ++column)
+    for (int step = 0; step < size; ++step) {
+      const int k = lower ? step : size - 1 - step;
+      const float* of = a + static_cast<std::ptrdiff_t>(k) * stride;
+      float* x = inverse + static_cast<std::ptrdiff_t>(column) * lu_block;
+      if (!lower)
+        x[k] /= of[k];
+      const float factor = -x[k];
+      if (factor != 0)
+        add_columns(of + (lower ? k + 1 : 0), stride, 1, &factor, x + (lower ? k + 1 : 0),
+                    lower ? size - 1 - k : k);
+    }
 }
 
 } // namespace
 
 LuFactors::LuFactors(Eigen::MatrixXf a) : factors_(std::move(a)), pivots_(factors_.rows()) {
   const int n = static_cast<int>(factors_.rows());
-  if (n == 0)
-    return;
-  int info = 0;
-  const OneThread one_thread;
-  sgetrf_(&n, &n, factors_.data(), &n, pivots_.data(), &info);
-  regular_ = info == 0;
+  if (n <= few::most)
+    regular_ = few::factor_lu(factors_.data(), n, pivots_.data());
+  else {
+    int info = 0;
+    const OneThread one_thread;
+    sgetrf_(&n, &n, factors_.data(), &n, pivots_.data(), &info);
+    std::ranges::for_each(pivots_, [](int& row) { --row; }); // LAPACK counts from 1
+    regular_ = info == 0;
+  }
   if (!regular_)
     return;
   lower_.setZero(lu_block, n);
   upper_.setZero(lu_block, n);
-  const float one = 1;
   for (int k = 0; k < n; k += lu_block) {
     const int size = std::min(lu_block, n - k);
     for (Eigen::MatrixXf* inverse : {&lower_, &upper_}) {
-      const bool is_lower = inverse == &lower_;
       inverse->block(0, k, size, size).setIdentity();
-      strsm_("L", is_lower ? "L" : "U", "N", is_lower ? "U" : "N", &size, &size, &one, &factors_(k, k), &n,
-             &(*inverse)(0, k), &lu_block);
+      invert_triangle(inverse == &lower_, size, &factors_(k, k), n, &(*inverse)(0, k));
     }
   }
 }
 
 void LuFactors::solve(Eigen::Ref<Eigen::VectorXf> x) const {
   const int n = static_cast<int>(factors_.rows());
-  const OneThread one_thread;
   for (int i = 0; i < n; ++i)
-    std::swap(x[i], x[pivots_[static_cast<std::size_t>(i)] - 1]);
+    std::swap(x[i], x[pivots_[static_cast<std::size_t>(i)]]);
   std::array<float, lu_block> solved{};
   const auto solve_block = [&](const Eigen::MatrixXf& inverse, int k, int size) {
     solved.fill(0);
-    add_product(size, size, 1, &inverse(0, k), lu_block, &x[k], solved.data());
+    add_columns(&inverse(0, k), lu_block, size, &x[k], solved.data(), size);
     std::copy_n(solved.data(), size, &x[k]);
+    std::ranges::for_each(solved, [](float& v) { v = -v; });
   };
   for (int k = 0; k < n; k += lu_block) {
     const int size = std::min(lu_block, n - k), below = k + size;
     solve_block(lower_, k, size);
-    if (below < n)
-      add_product(n - below, size, -1, &factors_(below, k), n, &x[k], &x[below]);
+    add_columns(factors_.data() + below + static_cast<std::ptrdiff_t>(k) * n, n, size, solved.data(),
+                x.data() + below, n - below);
   }
   for (int k = (n - 1) / lu_block * lu_block; k >= 0 && n > 0; k -= lu_block) {
     const int size = std::min(lu_block, n - k);
     solve_block(upper_, k, size);
-    add_product(k, size, -1, &factors_(0, k), n, &x[k], x.data());
+    add_columns(factors_.data() + static_cast<std::ptrdiff_t>(k) * n, n, size, solved.data(), x.data(), k);
   }
 }
 
 void dense_product(const Eigen::MatrixXf& a, Eigen::Ref<const Eigen::VectorXf> x,
                    Eigen::Ref<Eigen::VectorXf> out) {
-  const int m = static_cast<int>(a.rows()), n = static_cast<int>(a.cols()), stride = 1;
-  const float one = 1, zero = 0;
-  const OneThread one_thread(m + n);
-  if (m > 0 && n > 0)
-    sgemv_("N", &m, &n, &one, a.data(), &m, x.data(), &stride, &zero, out.data(), &stride);
+  out.setZero();
+  add_columns(a.data(), a.rows(), static_cast<int>(a.cols()), x.data(), out.data(), a.rows());
 }
 
 void dense_product(const Eigen::MatrixXd& a, Eigen::Ref<const Eigen::VectorXd> x,
                    Eigen::Ref<Eigen::VectorXd> out) {
-  const int m = static_cast<int>(a.rows()), n = static_cast<int>(a.cols()), stride = 1;
-  const double one = 1, zero = 0;
-  const OneThread one_thread(m + n);
-  if (m > 0 && n > 0)
-    dgemv_("N", &m, &n, &one, a.data(), &m, x.data(), &stride, &zero, out.data(), &stride);
+  out.setZero();
+  add_columns(a.data(), a.rows(), static_cast<int>(a.cols()), x.data(), out.data(), a.rows());
 }
 
 namespace {

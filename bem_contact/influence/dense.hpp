@@ -6,8 +6,7 @@
 
 namespace bem_contact {
 
-// The large dense products and factorizations, by BLAS and LAPACK on one thread. The small products stay with
-// Eigen.
+// Dense products and factorizations: large ones by BLAS and LAPACK on one thread, others by few_unknowns.hpp.
 
 /// Cholesky's factor in place of A, which is symmetric positive definite (the lower triangle is read). False
 /// if it is not.

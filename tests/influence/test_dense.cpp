@@ -12,8 +12,8 @@ using Eigen::VectorXf;
 
 namespace {
 
-/// Sizes around whole blocks.
-constexpr int sizes[] = {1, 2, 31, 32, 33, 64, 65, 150};
+/// Sizes around whole blocks, and beyond what is solved without OpenBLAS.
+constexpr int sizes[] = {1, 2, 7, 8, 31, 32, 33, 64, 65, 150, 512, 513};
 
 TEST(Dense, LuFactorsSolve) {
   for (const int n : sizes) {
@@ -37,6 +37,15 @@ TEST(Dense, ASingularMatrixHasNoSolution) {
   a.col(7) = a.col(3);
   a.col(7).setZero();
   EXPECT_FALSE(LuFactors(a).regular());
+}
+
+TEST(Dense, WhatIsNotPositiveDefiniteHasNoFactor) {
+  for (const int n : {3, 40, 600}) {
+    const MatrixXd root = MatrixXd::Random(n, n);
+    MatrixXd a = root * root.transpose() + MatrixXd::Identity(n, n);
+    a(n - 1, n - 1) = -1;
+    EXPECT_FALSE(factor_cholesky(a)) << n;
+  }
 }
 
 TEST(Dense, NothingIsSolvedToo) {

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdlib>
 #include <iterator>
 #include <optional>
 
@@ -24,7 +26,7 @@ constexpr double agreement_of_sums = 1e-9;
 /// An element with tractions.
 struct LoadedElement {
   int column, row;
-  std::array<double, 3> p; ///< MPa
+  std::array<double, 9> p; ///< MPa; all three of them three times, as influence numbers lie: [i][j]
 };
 
 /// In the order of memory: along rows, column after column.
@@ -34,27 +36,41 @@ std::vector<LoadedElement> loaded_elements(const ContactProblem& problem, const 
   for (int column = 0; column < mx; ++column)
     for (int row = 0; row < problem.grid.ms; ++row) {
       const int i = row * mx + column;
-      if (p[0][i] != 0 || p[1][i] != 0 || p[2][i] != 0)
-        out.push_back({column, row, {p[0][i], p[1][i], p[2][i]}});
+      const double x = p[0][i], s = p[1][i], n = p[2][i];
+      if (x != 0 || s != 0 || n != 0)
+        out.push_back({column, row, {x, s, n, x, s, n, x, s, n}});
     }
   return out;
+}
+
+/// Sums of number (i, j) times traction j, [i][j]. `at_zero`: the numbers of the element's row and row 0 at
+/// offset 0; those of the next offset lie `to_next` farther.
+BEM_CONTACT_WIDE void sum_terms(const LoadedElement* load, const LoadedElement* end, const double* at_zero,
+                                std::ptrdiff_t to_next, int column, double* out) {
+  double sums[9] = {};
+  for (; load != end; ++load) {
+    const double* number = at_zero + std::abs(column - load->column) * to_next - 9 * load->row;
+    for (int e = 0; e < 9; ++e)
+      sums[e] += number[e] * load->p[e];
+  }
+  std::copy_n(sums, 9, out);
 }
 
 /// A p at one element, for translational numbers.
 std::array<double, 3> displacement_of(const InfluenceNumbers& a, std::span<const LoadedElement> loads,
                                       int row, int column) {
+  const double* at_zero = &a.values[a.index(0, row, 0, 0, 0)];
+  const std::ptrdiff_t to_next = 9 * (2 * static_cast<std::ptrdiff_t>(a.rows) - 1);
+  const LoadedElement *const from = loads.data(), *const end = from + loads.size();
+  const LoadedElement* const ahead =
+      from + (std::ranges::upper_bound(loads, column, {}, &LoadedElement::column) - loads.begin());
+  std::array<double, 9> behind_sums{}, ahead_sums{};
+  sum_terms(from, ahead, at_zero, to_next, column, behind_sums.data());
+  sum_terms(ahead, end, at_zero, to_next, column, ahead_sums.data());
   std::array<double, 3> u{};
-  for (const LoadedElement& load : loads) {
-    const int m = column - load.column;
-    const double sign = m < 0 ? -1 : 1; // parity: numbers with one index x are odd in x
-    const double* number = &a.values[a.index(std::abs(m), row, 0, load.row, 0)];
-    const double px = sign * load.p[0], ps = load.p[1], pn = load.p[2];
-    u[0] += sign * (number[0] * px + number[1] * ps + number[2] * pn);
-    number += 3; // the next displacement
-    u[1] += number[0] * px + number[1] * ps + number[2] * pn;
-    number += 3;
-    u[2] += number[0] * px + number[1] * ps + number[2] * pn;
-  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) // of a load ahead the offset is negative
+      u[i] += behind_sums[3 * i + j] + parity(i, j) * ahead_sums[3 * i + j];
   return u;
 }
 

@@ -1,8 +1,9 @@
 #include "bem_contact/contact/operator/plane_transforms.hpp"
 
-#include "bem_contact/base/simd.hpp"
+#include "bem_contact/contact/operator/row_pairs.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 
 namespace bem_contact::contact {
@@ -10,75 +11,11 @@ namespace {
 
 /// Bytes of spectra that are transformed along s at once: they stay in a second-level cache.
 constexpr int bytes_in_cache = 1 << 19;
-/// Frequencies along x that rows and columns exchange together, at least: 8 complex floats are a cache line.
-constexpr int least_together = 8;
-
 template <class Real> typename Fftw<Real>::Complex* raw(Real* p) {
   return reinterpret_cast<typename Fftw<Real>::Complex*>(p);
 }
 template <class Real> std::complex<Real>* complex(Real* p) {
   return reinterpret_cast<std::complex<Real>*>(p);
-}
-
-/// Rows of n elements in pairs, their frequencies from .. to - 1, and how far apart two of these lie.
-struct RowPairs {
-  int n, pairs, from, to, stride;
-};
-
-/// The spectra of two real rows from that of the first plus i times the second: z [pairs][n] to
-/// out [k - from][row]. Complex numbers are two reals here.
-template <class Real>
-inline __attribute__((always_inline)) void separate_rows(const RowPairs& rows, const Real* __restrict z,
-                                                         Real* __restrict out) {
-  const auto [n, pairs, from, to, stride] = rows;
-  for (int first = from; first < to; first += least_together)
-    for (int pair = 0; pair < pairs; ++pair) {
-      const Real* row = z + 2 * static_cast<std::ptrdiff_t>(pair) * n;
-      for (int k = first; k < std::min(first + least_together, to); ++k) {
-        const Real *a = row + 2 * k, *b = row + 2 * (k == 0 ? 0 : n - k);
-        Real* o = out + 2 * (static_cast<std::ptrdiff_t>(k - from) * stride + 2 * pair);
-        o[0] = Real(0.5) * (a[0] + b[0]);
-        o[1] = Real(0.5) * (a[1] - b[1]);
-        o[2] = Real(0.5) * (a[1] + b[1]);
-        o[3] = Real(0.5) * (b[0] - a[0]);
-      }
-    }
-}
-BEM_CONTACT_WIDE void separate(const RowPairs& rows, const double* z, double* out) {
-  separate_rows(rows, z, out);
-}
-BEM_CONTACT_WIDE void separate(const RowPairs& rows, const float* z, float* out) {
-  separate_rows(rows, z, out);
-}
-
-/// The way back; n is even.
-template <class Real>
-inline __attribute__((always_inline)) void join_rows(const RowPairs& rows, const Real* __restrict in,
-                                                     Real* __restrict z) {
-  const auto [n, pairs, from, to, stride] = rows;
-  for (int first = from; first < to; first += least_together)
-    for (int pair = 0; pair < pairs; ++pair) {
-      Real* row = z + 2 * static_cast<std::ptrdiff_t>(pair) * n;
-      for (int k = first; k < std::min(first + least_together, to); ++k) {
-        const Real* i = in + 2 * (static_cast<std::ptrdiff_t>(k - from) * stride + 2 * pair);
-        Real *a = row + 2 * k, *b = row + 2 * (n - k);
-        if (k == 0 || 2 * k == n) { // real, for they are of real rows
-          a[0] = i[0];
-          a[1] = i[2];
-          continue;
-        }
-        a[0] = i[0] - i[3];
-        a[1] = i[1] + i[2];
-        b[0] = i[0] + i[3];
-        b[1] = i[2] - i[1];
-      }
-    }
-}
-BEM_CONTACT_WIDE void join(const RowPairs& rows, const double* in, double* z) {
-  join_rows(rows, in, z);
-}
-BEM_CONTACT_WIDE void join(const RowPairs& rows, const float* in, float* z) {
-  join_rows(rows, in, z);
 }
 
 } // namespace
@@ -109,7 +46,7 @@ PlaneTransforms<Real>::PlaneTransforms(const PlaneShape& the_shape, std::shared_
   const std::size_t bytes =
       2 * static_cast<std::size_t>(shape.inputs + shape.outputs) * shape.length_s * sizeof(Real);
   const int fit = static_cast<int>(std::min<std::size_t>(bytes_in_cache / bytes, shape.frequencies()));
-  together_ = std::clamp(fit, std::min(least_together, shape.frequencies()), shape.frequencies());
+  together_ = std::clamp(fit, std::min(exchanged_together, shape.frequencies()), shape.frequencies());
   const int fields = std::max(shape.inputs, shape.outputs);
   space_size_ = fft_block(static_cast<std::size_t>(fields) * shape.lines * shape.length_x);
   column_size_ = fft_block(2 * static_cast<std::size_t>(together_) * fields * shape.length_s);

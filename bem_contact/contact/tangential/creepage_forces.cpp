@@ -76,6 +76,8 @@ void CreepageForces::blend(const Solved& one, const Solved& other, double share)
 }
 
 double CreepageForces::demand(const Vector2d& force) const {
+  if (force.isZero(0))
+    return 0;
   // The share is one of rows, and so are sums of bounds.
   const int mx = system_.columns();
   VectorXd bounds = VectorXd::Zero(system_.size() / mx);

@@ -1,7 +1,7 @@
 #include "bem_contact/contact/tangential/gcr.hpp"
 
-#include "bem_contact/base/simd.hpp"
 #include "bem_contact/contact/tangential/settings.hpp"
+#include "bem_contact/influence/column_loops.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,43 +17,9 @@ namespace {
 /// Directions for which memory is taken at first; it grows where that is not enough. Chosen.
 constexpr int first_directions = 32;
 
-constexpr int lanes = 16; ///< sums side by side, for wide registers
 /// 1. Where less is left of an image it is made orthogonal once more. Single precision then still has five
 /// digits, one more than any system is solved to.
 constexpr float little_left = 0.02f;
-
-/// share = q^T w
-BEM_CONTACT_WIDE void shares_of(const float* __restrict q, std::ptrdiff_t n, int columns,
-                                const float* __restrict w, float* __restrict share) {
-  for (int k = 0; k < columns; ++k, q += n) {
-    float sums[lanes] = {};
-    std::ptrdiff_t i = 0;
-    for (; i + lanes <= n; i += lanes)
-      for (int l = 0; l < lanes; ++l)
-        sums[l] += q[i + l] * w[i + l];
-    float sum = 0;
-    for (; i < n; ++i)
-      sum += q[i] * w[i];
-    for (int l = 0; l < lanes; ++l)
-      sum += sums[l];
-    share[k] = sum;
-  }
-}
-
-/// w += q share
-BEM_CONTACT_WIDE void add_columns(const float* __restrict q, std::ptrdiff_t n, int columns,
-                                  const float* __restrict share, float* __restrict w) {
-  int k = 0;
-  for (; k + 4 <= columns; k += 4, q += 4 * n) { // one pass over w for four
-    const float a = share[k], b = share[k + 1], c = share[k + 2], d = share[k + 3];
-    const float *q1 = q + n, *q2 = q1 + n, *q3 = q2 + n;
-    for (std::ptrdiff_t i = 0; i < n; ++i)
-      w[i] += a * q[i] + b * q1[i] + c * q2[i] + d * q3[i];
-  }
-  for (; k < columns; ++k, q += n)
-    for (std::ptrdiff_t i = 0; i < n; ++i)
-      w[i] += share[k] * q[i];
-}
 
 } // namespace
 
@@ -166,10 +132,10 @@ bool Gcr::take_image(bool kept) {
   float length = before;
   h_.col(used_).head(used_).setZero();
   for (int pass = 0; pass < 2; ++pass) { // twice is enough (Parlett 1980)
-    shares_of(q_.data(), n, used_, image_.data(), share_.data());
+    dot_columns(q_.data(), n, used_, image_.data(), share_.data(), n);
     h_.col(used_).head(used_) += share_.head(used_);
     share_.head(used_) *= -1;
-    add_columns(q_.data(), n, used_, share_.data(), image_.data());
+    add_columns(q_.data(), n, used_, share_.data(), image_.data(), n);
     const float left = image_.norm();
     if (left > little_left * std::exchange(length, left))
       break;
@@ -178,7 +144,7 @@ bool Gcr::take_image(bool kept) {
     return false;
   h_(used_, used_) = length;
   q_.col(used_) = image_ / length;
-  shares_of(&q_(0, used_), n, 1, residual_.data(), share_.data());
+  dot_columns(&q_(0, used_), n, 1, residual_.data(), share_.data(), n);
   g_[used_] = share_[0];
   residual_ -= share_[0] * q_.col(used_);
   left_ = residual_.norm();
@@ -196,7 +162,7 @@ void Gcr::finish(BorderedSolution& solution) {
   }
   share_.head(used_) = g_.head(used_).cast<float>();
   image_.setZero();
-  add_columns(z_.data(), image_.size(), used_, share_.data(), image_.data());
+  add_columns(z_.data(), image_.size(), used_, share_.data(), image_.data(), image_.size());
   solution.x = length_ * image_.cast<double>();
   if (answers_.cols() > 0) {
     solution.x += answers_.cast<double>() * start_;
@@ -211,7 +177,7 @@ void Gcr::keep_solution() {
   if (is_kept_.empty() || used_ == 0)
     return;
   residual_.setZero();
-  add_columns(bz_.data(), residual_.size(), used_, share_.data(), residual_.data());
+  add_columns(bz_.data(), residual_.size(), used_, share_.data(), residual_.data(), residual_.size());
   keep(oldest_, image_, residual_);
   oldest_ = (oldest_ + 1) % keeps_.solutions;
   for (int i = 0; i < std::min(keeps_.directions, used_ - from_kept_); ++i)

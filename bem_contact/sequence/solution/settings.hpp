@@ -37,6 +37,9 @@ BEM_CONTACT_TUNED(double, negligible_patch, 0.01);
 /// 1. Planes are moved so often at most. Chosen: two or three moves are usual.
 BEM_CONTACT_TUNED(int, most_plane_moves, 10);
 BEM_CONTACT_RELATION(plane_turn_of_force <= largest_plane_turn);
+/// Elements of the grid on which the pressure alone says where planes lie: it is as rough as leaves so many.
+/// Chosen: a third of them in contact say where its centre is to a hundredth of its width.
+BEM_CONTACT_TUNED(int, fewest_for_planes, 500);
 
 // What linear kinematics leaves open (slide_errors.hpp).
 

@@ -2,13 +2,16 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/solution/grow_grid.hpp"
 #include "bem_contact/sequence/solution/settings.hpp"
+#include "bem_contact/sequence/solution/trim_plan.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <optional>
 
 namespace bem_contact {
 
@@ -92,13 +95,66 @@ bool is_solution(const ContactResult& result) {
   return result.certified() && !result.patches.empty();
 }
 
+/// Where planes come to rest by the pressure alone.
+struct RestingPlanes {
+  std::vector<TangentPlane> planes;
+  bool moved = false;                  ///< from where the plan has them: else they serve
+  std::optional<FormerSolution> start; ///< the pressure, if it was solved on the plan's own elements
+  PhaseSeconds seconds;
+};
+
+/// A solution costs many times as much as its pressure, which alone says where planes lie. `plan` may have
+/// many elements: as few as serve are joined. Where a pressure is not found, the planes are those before it.
+RestingPlanes planes_by_pressure(const ContactCase& asked, const GridPlan& plan, Model model,
+                                 const SolveResources& resources, bool on_strips) {
+  int factor = trim_factor;
+  while (factor > 1 && plan.rows * plan.columns < fewest_for_planes * factor * factor)
+    factor /= 2;
+  GridPlan rough = factor > 1 ? rough_plan(asked, plan, factor, on_strips) : plan;
+  RestingPlanes out{plan.planes, false, {}, {}};
+  for (int round = 0; round < most_plane_moves; ++round) {
+    WorkBudget work = resources.work.another();
+    SolveResources tools = resources.with(work, out.start ? &*out.start : resources.start);
+    tools.totals_only = true;
+    GridSolution solved;
+    try {
+      solved = solve_on_growing_grid(asked, asked.setup.on(rough), {model, true}, tools, on_strips);
+    } catch (const Error&) { // the solution itself says what is wrong
+      return out;
+    }
+    out.seconds += solved.seconds;
+    if (!is_solution(solved.result))
+      return out;
+    if (factor == 1)
+      out.start = former_of(model, solved.contact.problem, solved.result, *asked.estimate);
+    std::vector<PatchOnPlanes> patches = patches_on_planes(asked, solved.contact.problem, solved.result);
+    if (std::ranges::all_of(patches, is_tangent))
+      return out;
+    rough = std::move(solved.contact.plan);
+    out.planes = rough.planes = moved_planes(std::move(patches), rough.planes);
+    out.moved = true;
+  }
+  return out;
+}
+
 } // namespace
 
 GridSolution solve_on_tangent_planes(const ContactCase& asked, ContactOnGrid first, const SolveTask& task,
                                      const SolveResources& resources, bool on_strips) {
-  GridSolution out = solve_on_growing_grid(asked, std::move(first), task, resources, on_strips);
-  if (out.contact.plan.planes.empty())
-    return out;
+  if (first.plan.planes.empty())
+    return solve_on_growing_grid(asked, std::move(first), task, resources, on_strips);
+  RestingPlanes found;
+  if (!task.normal_only && !is_closed_form(task.model))
+    found = planes_by_pressure(asked, first.plan, task.model, resources, on_strips);
+  if (found.moved) {
+    first.plan.planes = found.planes;
+    first = asked.setup.on(first.plan);
+  }
+  SolveResources tools = resources;
+  if (found.start)
+    tools.start = &*found.start;
+  GridSolution out = solve_on_growing_grid(asked, std::move(first), task, tools, on_strips);
+  out.seconds += found.seconds;
   for (int round = 0; round < most_plane_moves && is_solution(out.result); ++round) {
     std::vector<PatchOnPlanes> patches = patches_on_planes(asked, out.contact.problem, out.result);
     if (std::ranges::all_of(patches, is_tangent))

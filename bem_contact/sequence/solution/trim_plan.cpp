@@ -40,18 +40,6 @@ GridPlan within_strips(const ContactCase& asked, GridPlan plan) {
   return plan;
 }
 
-/// The elements of a plan that are joined trim_factor by trim_factor; as far as the strips reach.
-GridPlan rough_plan(const ContactCase& asked, const GridPlan& plan, bool on_strips) {
-  GridPlan rough = plan;
-  rough.dx *= trim_factor;
-  rough.ds *= trim_factor;
-  const auto row = [](double fine) { return static_cast<int>(std::lround(fine / trim_factor)); };
-  rough.first = row(plan.first);
-  rough.rows = row(plan.first + plan.rows - 1) - rough.first + 1;
-  rough.columns = 2 * ((plan.columns + 2 * trim_factor - 1) / (2 * trim_factor));
-  return on_strips ? within_strips(asked, rough) : rough;
-}
-
 /// Without the outer rows and columns of `solved`, joined elements of the plan, where the bodies do not come
 /// near to touching. Sides on which they do stay as they are.
 GridPlan without_far_elements(GridPlan plan, const GridSolution& solved) {
@@ -124,6 +112,17 @@ GridPlan widened(const ContactCase& asked, GridPlan plan, Model model, const Pot
 
 } // namespace
 
+GridPlan rough_plan(const ContactCase& asked, const GridPlan& plan, int factor, bool on_strips) {
+  GridPlan rough = plan;
+  rough.dx *= factor;
+  rough.ds *= factor;
+  const auto row = [factor](double fine) { return static_cast<int>(std::lround(fine / factor)); };
+  rough.first = row(plan.first);
+  rough.rows = row(plan.first + plan.rows - 1) - rough.first + 1;
+  rough.columns = 2 * ((plan.columns + 2 * factor - 1) / (2 * factor));
+  return on_strips ? within_strips(asked, rough) : rough;
+}
+
 bool has_large_numbers(const ContactCase& asked, const GridPlan& plan, Model model) {
   const double megabytes = 9e-6 * sizeof(double) * plan.rows * plan.rows * (plan.columns + 2.0);
   return is_open(asked) && depends_on_both_rows(asked, model) && megabytes >= large_numbers;
@@ -164,7 +163,7 @@ TrimmedPlan trimmed(const ContactCase& asked, const GridPlan& plan, const SolveT
                     const SolveResources& resources, bool on_strips) {
   if (const auto known = plan_of_former(asked, plan, task.model, resources.start))
     return {*known, {}};
-  const GridPlan rough = rough_plan(asked, plan, on_strips);
+  const GridPlan rough = rough_plan(asked, plan, trim_factor, on_strips);
   if (rough.rows < fewest_rows)
     return {plan, {}};
   WorkBudget work = resources.work.another();

@@ -4,6 +4,10 @@
 
 namespace bem_contact {
 
+/// The elements of a plan that are joined `factor` by `factor`. `on_strips`: as far as the strips of the
+/// influence files reach.
+GridPlan rough_plan(const ContactCase& asked, const GridPlan& plan, int factor, bool on_strips);
+
 /// Says whether the influence numbers on a plan depend on both rows and take large_numbers or more, where the
 /// scene leaves it open which rows and columns are solved.
 bool has_large_numbers(const ContactCase& asked, const GridPlan& plan, Model model);
