@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 namespace bem_contact {
@@ -25,6 +26,35 @@ FallingFriction polach_friction(double a, double b) {
 
 double HotFriction::factor(double temperature) const {
   return 1 - (1 - ratio) * std::clamp((temperature - from) / (to - from), 0.0, 1.0);
+}
+
+std::string yield_text(const YieldLimit& limit) {
+  std::string out = fmt::format("yields at {:g} MPa", limit.shear);
+  if (limit.hardening != 0)
+    out += fmt::format(", and {} by {:g} MPa/mm", limit.hardening > 0 ? "hardens" : "softens",
+                       std::abs(limit.hardening));
+  return out;
+}
+
+LayerAnswer answer(const YieldLimit& limit, const LayerElement& element, double reach) {
+  const auto& [before, friction, stiffness, weight] = element;
+  const double now = limit.shear + limit.hardening * before, least = std::max(now, 0.0),
+               slope = limit.hardening / weight;
+  if (friction <= least) // it slips before it yields
+    return {.bound = friction, .plastic = before};
+  if (reach <= least)
+    return {.bound = least, .plastic = before};
+  // reach = bound + r |S|, and the bound rises by slope |S|.
+  const double rise = now > 0 ? slope / (slope + stiffness) : 0, bound = least + rise * (reach - least);
+  if (bound >= friction)
+    return {.bound = friction, .plastic = (friction - limit.shear) / limit.hardening, .kept = 0};
+  if (bound <= 0)
+    return {.plastic = before + reach / (stiffness * weight), .yields = true, .kept = 0};
+  return {.bound = bound,
+          .plastic = before + (reach - bound) / (stiffness * weight),
+          .yields = true,
+          .rise = rise,
+          .kept = 1 - rise};
 }
 
 double ThermalBody::effusivity() const {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
+#include <string>
 
 namespace bem_contact {
 
@@ -23,6 +25,16 @@ FallingFriction exponential_friction(double mu_kin, double mu_1, double half);
 /// mu(w) = mu_0 [(1 - a) exp(-b w) + a], b in s/m (Polach 2005); mu(0) = mu_0.
 FallingFriction polach_friction(double a, double b);
 
+/// Friction follows a slip velocity that changes over a distance of slip, which asperities need to form anew.
+struct FrictionMemory {
+  double distance = 0;       ///< of slip over which a difference falls to 1/e, mm
+  double least_velocity = 1; ///< mm/s; what hardly slips forgets as fast as at this slip velocity
+
+  double rate(double slip_velocity) const {
+    return std::max(slip_velocity, least_velocity) / distance;
+  } ///< 1/s
+};
+
 /// Coulomb's coefficient falls with the temperature of the surfaces: linear between two temperatures,
 /// constant below and above.
 struct HotFriction {
@@ -31,6 +43,37 @@ struct HotFriction {
 
   double factor(double temperature) const; ///< degrees C
 };
+
+/// A layer between the surfaces yields: it bears a shear traction of tau(w) = shear + hardening w at the
+/// most, where w is its plastic slip so far (plastic_slip.hpp). theory/contact.md, section 6.
+struct YieldLimit {
+  double shear = 0;     ///< tau_0, above 0, MPa
+  double hardening = 0; ///< MPa/mm; below 0 the layer softens, until it bears nothing
+
+  bool operator==(const YieldLimit&) const = default;
+};
+
+/// "yields at 200 MPa, and hardens by 435 MPa/mm".
+std::string yield_text(const YieldLimit& limit);
+
+/// How one element of such a layer answers to a step. Friction and yield are one law of p_t and slip S, and
+/// p_t = min(bound, reach) along p_t + r S, with reach = |p_t + r S| and any r > 0 (MPa/mm).
+struct LayerAnswer {
+  double bound = 0;    ///< on |p_t|, of friction and layer, MPa
+  double plastic = 0;  ///< plastic slip after the step, mm
+  bool yields = false; ///< the layer sets the bound, and slip is plastic slip
+  double rise = 0;     ///< d bound / d reach
+  double kept = 1;     ///< d tau / d tau(before): of what the layer bears after the step, by that before it
+};
+
+/// What an element is, whatever it bears.
+struct LayerElement {
+  double before = 0;    ///< plastic slip that it has unless it slips in this step, mm
+  double friction = 0;  ///< mu p_n, MPa
+  double stiffness = 1; ///< r, MPa/mm; above -hardening / weight
+  double weight = 1;    ///< the plastic slip of a step is `weight` times what `plastic` is above `before`
+};
+LayerAnswer answer(const YieldLimit& limit, const LayerElement& element, double reach);
 
 /// One of the two bodies as a conductor of heat. Defaults: rail steel.
 struct ThermalBody {

@@ -1,6 +1,7 @@
 #include "bem_contact/contact/problem.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/slip_step.hpp"
 
 #include <fmt/format.h>
 #include <string>
@@ -120,6 +121,46 @@ void validate_friction_law(const ContactProblem& problem) {
           "kinetic is below 1, and friction falls with slip velocity or temperature", "Leave out one.");
   if (problem.heating)
     validate_heating(problem);
+  if (!problem.memory)
+    return;
+  require(problem.memory->distance > 0 && std::isfinite(problem.memory->distance) &&
+              problem.memory->least_velocity > 0 && std::isfinite(problem.memory->least_velocity),
+          "The memory of friction cannot be used",
+          fmt::format("its distance is {:g} mm, its smallest velocity {:g} mm/s", problem.memory->distance,
+                      problem.memory->least_velocity),
+          "Give both above 0.");
+  require(problem.friction_falls() && problem.motion == MotionKind::steady && !problem.yield,
+          "Friction has nothing to remember",
+          "its memory is that of friction that falls with the slip velocity, in steady rolling, without a "
+          "layer that "
+          "yields",
+          "Leave it out.");
+}
+
+/// An element whose slip lowers what the layer bears by more than it lowers its traction would snap.
+void validate_yield(const ContactProblem& problem) {
+  const auto& [shear, hardening] = *problem.yield;
+  require(std::isfinite(shear) && shear > 0 && std::isfinite(hardening),
+          "The layer's yield limit cannot be used",
+          fmt::format("it is {} MPa and hardens by {} MPa/mm", shear, hardening),
+          "Give a limit above 0 and a finite hardening.");
+  require(problem.kinetic == 1,
+          "A layer that yields and a kinetic coefficient of friction are two laws of slip",
+          "it is not known which of them what slips obeys", "Leave out one.");
+  require(hardening == 0 || !problem.friction_varies(),
+          "The layer's limit and friction both depend on the slip",
+          "it hardens or softens, and friction falls with slip velocity or temperature",
+          "Leave out one: a hardening of 0, or constant friction.");
+  if (hardening >= 0)
+    return;
+  const std::vector<double> stiffness = element_stiffness(problem);
+  const double least = *std::min_element(stiffness.begin(), stiffness.end()) * slip_step(problem).present[0];
+  require(
+      hardening + least > 0, "The layer softens so steeply that its slip has more than one solution",
+      fmt::format(
+          "it loses {:g} MPa per mm of plastic slip, and an element of this grid gives way by {:g} MPa/mm",
+          -hardening, least),
+      "Give a hardening nearer to 0, or smaller elements (the compliance of the layer counts too).");
 }
 
 void validate_friction(const ContactProblem& problem) {
@@ -136,11 +177,16 @@ void validate_friction(const ContactProblem& problem) {
   require(problem.kinetic > 0 && problem.kinetic <= 1, "Friction in slip is not below that in adhesion",
           fmt::format("their ratio is {}", problem.kinetic), "Give a ratio above 0 and at most 1.");
   validate_friction_law(problem);
+  if (problem.yield)
+    validate_yield(problem);
   require_field(problem.slip_x, problem.grid, "rigid slip along x");
   require_field(problem.slip_s, problem.grid, "rigid slip along s");
   for (const Tractions& former : problem.previous)
     for (const std::vector<double>* field : {&former.px, &former.ps, &former.pn})
       require_field(*field, problem.grid, "traction of a former step");
+  for (const Tractions& former : problem.previous)
+    if (!former.plastic.empty())
+      require_field(former.plastic, problem.grid, "plastic slip of a former step");
   for (const auto& force : {problem.force_x, problem.force_s}) {
     require(!force || std::isfinite(*force), "The shear force prescribed is not finite", "NaN or infinity",
             "Give it in N.");
@@ -181,6 +227,10 @@ void validate(const ContactProblem& problem) {
             "Give finite s, position and inclination.");
   validate_numbers(problem);
   require_field(problem.gap, grid, "undeformed distance");
+  if (problem.limit_pressure)
+    require(std::isfinite(*problem.limit_pressure) && *problem.limit_pressure > 0,
+            "The limit of the pressure cannot be used",
+            fmt::format("it is {:g} MPa", *problem.limit_pressure), "Give a pressure above 0, in MPa.");
   if (problem.load == LoadKind::approach)
     require(std::isfinite(problem.approach), "The approach is not finite", "NaN or infinity",
             "Give it in mm.");

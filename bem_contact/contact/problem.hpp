@@ -43,7 +43,8 @@ enum class MotionKind { steady, transient, shift };
 
 /// Tractions on the rail by the wheel, MPa; fields.
 struct Tractions {
-  std::vector<double> px, ps, pn; ///< along x and s, pressure
+  std::vector<double> px, ps, pn;   ///< along x and s, pressure
+  std::vector<double> plastic = {}; ///< plastic slip that they left in a layer that yields, mm; empty: none
 };
 
 /// What is asked of a contact problem, however fine its elements are. Signs: base/conventions.hpp.
@@ -52,8 +53,15 @@ struct ContactConditions {
   double approach = 0;             ///< q along z, mm (load == approach)
   double force = 0;                ///< Fz, N (load == force); per mm of length in plane strain
   bool tangential = true;          ///< false: frictionless
-  double friction = 0.3;           ///< Coulomb's mu of adhesion (static friction)
-  double kinetic = 1;              ///< mu of slip over mu of adhesion, in (0, 1]
+  /// H, MPa: what the softer body bears at the most, p_n <= H. Where the pressure is H the bodies may
+  /// overlap: they are indented for good. Empty: they are elastic.
+  std::optional<double> limit_pressure;
+  double friction = 0.3; ///< Coulomb's mu of adhesion (static friction)
+  double kinetic = 1;    ///< mu of slip over mu of adhesion, in (0, 1]
+  /// Of a layer between the surfaces, in each of its elements; empty: it bears whatever friction does. The
+  /// layer's compliance stands in the influence numbers (layer.hpp). Hardening excludes friction that varies,
+  /// yield excludes kinetic < 1.
+  std::optional<YieldLimit> yield;
   /// Prescribed shear forces on the rail, N: sum p_x dS and sum p_s cos(delta - reference_delta) dS. For each
   /// of them solve() finds a creepage (shift: mm) and adds it to the rigid slip: ContactResult::creepage_x to
   /// w_x, creepage_s cos(delta - reference_delta) to w_s.
@@ -72,9 +80,10 @@ struct ContactProblem : ContactConditions {
   /// How mu falls with the slip velocity: one law for each row, or one for all rows; empty: it does not fall.
   /// `friction` is then mu without slip. Laws exclude motion == shift and kinetic < 1.
   std::vector<FallingFriction> falling;
-  double speed = 0;                   ///< of rolling, mm/s; above 0 with `falling` or `heating`
-  std::optional<Heating> heating;     ///< flash temperatures are asked for; steady rolling
-  std::vector<double> slip_x, slip_s; ///< rigid slip w, per unit of rolled distance (shift: mm); fields
+  std::optional<FrictionMemory> memory; ///< friction follows `falling` not at once; steady rolling
+  double speed = 0;                     ///< of rolling, mm/s; above 0 with `falling` or `heating`
+  std::optional<Heating> heating;       ///< flash temperatures are asked for; steady rolling
+  std::vector<double> slip_x, slip_s;   ///< rigid slip w, per unit of rolled distance (shift: mm); fields
   /// Tractions of former steps, the latest first. Transient: one and two rolling steps ago, as slip_step.hpp
   /// weights both. Shift: one load step ago. If there are fewer, the bodies were at rest before, unloaded.
   std::vector<Tractions> previous;
@@ -101,10 +110,16 @@ struct ContactProblem : ContactConditions {
   bool friction_falls_with_heat() const {
     return heating && heating->friction && heating->friction->ratio != 1;
   }
+  /// Says whether what the layer bears depends on its plastic slip.
+  bool hardens() const { return yield && yield->hardening != 0; }
   /// Says whether mu depends on slip velocity or temperature.
   bool friction_varies() const { return friction_falls() || friction_falls_with_heat(); }
-  /// Coulomb's law with one mu for adhesion and slip.
-  bool is_coulomb() const { return kinetic == 1 && !friction_varies(); }
+  /// Coulomb's law with one mu for adhesion and slip, and no layer that yields.
+  bool is_coulomb() const { return kinetic == 1 && !friction_varies() && !yield; }
+  /// Says whether the layer of a row yields under this pressure before it slips at mu(0); MPa.
+  bool yields_first(int row, double pressure) const {
+    return yield && friction_of(row) * pressure > yield->shear;
+  }
   /// Says whether there is a tangential problem at all.
   bool has_friction() const { return tangential && largest_friction() > 0; }
   /// The slip along s on a row under a unit creepage along s: cos(delta - reference_delta).

@@ -52,7 +52,7 @@ double Discretisation::moment_error(const ContactTotals& totals, double x, doubl
 }
 
 Tractions tractions_of(const ContactResult& result) {
-  return {result.px, result.ps, result.pn};
+  return {result.px, result.ps, result.pn, result.plastic};
 }
 
 std::vector<double> friction_work_density(const ContactResult& result) {
@@ -78,10 +78,18 @@ std::array<double, 6> force_and_moment(const ContactProblem& problem, const Cont
   return sum;
 }
 
+double shear_bound(const ContactProblem& problem, const ContactResult& result, int i) {
+  const double friction = problem.friction_of(i / problem.grid.mx) * result.pn[i];
+  if (!problem.yield || (problem.hardens() && result.plastic.empty()))
+    return friction;
+  const double plastic = problem.hardens() ? result.plastic[i] : 0;
+  return std::min(friction, std::max(0.0, problem.yield->shear + problem.yield->hardening * plastic));
+}
+
 double friction_bound(const ContactProblem& problem, const ContactResult& result) {
   double sum = 0;
   for (int i = 0; i < problem.grid.size() && problem.has_friction(); ++i)
-    sum += problem.friction_of(i / problem.grid.mx) * result.pn[i];
+    sum += shear_bound(problem, result, i);
   return sum * problem.element_area();
 }
 

@@ -190,6 +190,7 @@ struct ContactFields {
   /// Slip per unit of rolled distance (shift: mm), with all parts: rigid, found creepage, elastic; fields.
   std::vector<double> slip_x, slip_s;
   std::vector<double> deformed_distance; ///< e, mm; field
+  std::vector<double> plastic;           ///< plastic slip of a layer that yields, mm; field; empty: none
   std::vector<double> dissipated;        ///< friction_work_density(); empty: p_t S is all of it; field
   std::vector<ElementState> state;       ///< field
   Displacements displacements;           ///< empty unless SolverOptions::displacements
@@ -244,7 +245,11 @@ std::array<double, 6> force_and_moment(const ContactProblem& problem, const Cont
                                        const std::vector<ContactRow>& rows, Point2 about, double side_x = 1,
                                        double side = 1);
 
-/// Sum of mu p_n dS, N: no shear force is larger. 0 without friction.
+/// The largest shear traction that element i may have, mu p_n or what a layer bears after its plastic slip,
+/// MPa.
+double shear_bound(const ContactProblem& problem, const ContactResult& result, int i);
+
+/// Sum of mu p_n dS, or of what a layer bears, N: no shear force is larger. 0 without friction.
 double friction_bound(const ContactProblem& problem, const ContactResult& result);
 
 /// The elements of each patch (8 neighbours), in the order of ContactResult::patches.

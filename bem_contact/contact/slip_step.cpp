@@ -16,4 +16,17 @@ SlipStep slip_step(const ContactProblem& problem) {
   return {{1, 0, 0}, {0, -1, 0}, 0, 1};
 }
 
+std::vector<double> element_stiffness(const ContactProblem& problem) {
+  const SlipStep step = slip_step(problem);
+  std::vector<double> out;
+  for (int row = 0; row < problem.grid.ms; ++row) {
+    double mean = 0;
+    for (const int c : {component_x, component_s})
+      for (int k = 0; k <= rolling_columns; ++k)
+        mean += 0.5 * step.present[k] * problem.numbers.at(k, row, c, row, c);
+    out.push_back(1 / mean);
+  }
+  return out;
+}
+
 } // namespace bem_contact

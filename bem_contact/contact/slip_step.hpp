@@ -3,6 +3,7 @@
 #include "bem_contact/contact/problem.hpp"
 
 #include <array>
+#include <vector>
 
 namespace bem_contact {
 
@@ -32,5 +33,9 @@ struct SlipStep {
 };
 
 SlipStep slip_step(const ContactProblem& problem);
+
+/// What an element's shear traction rises by over the slip that it alone prevents: 1 / mean of B_xx and B_ss
+/// of the element itself, with B = sum_k present[k] A(k dx). One value a row, MPa/mm.
+std::vector<double> element_stiffness(const ContactProblem& problem);
 
 } // namespace bem_contact

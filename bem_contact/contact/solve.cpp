@@ -10,6 +10,7 @@
 #include "bem_contact/contact/dissipation.hpp"
 #include "bem_contact/contact/flash_temperature.hpp"
 #include "bem_contact/contact/grid/larger_elements.hpp"
+#include "bem_contact/contact/plastic_slip.hpp"
 #include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/totals.hpp"
 
@@ -92,6 +93,22 @@ void fill_fields(const ContactProblem& problem, const contact::Solution& solutio
   }
 }
 
+/// The plastic slip of a layer that yields, after this solution; field.
+std::vector<double> plastic_slip(const ContactProblem& problem, const contact::Solution& solution) {
+  const std::size_t n = problem.grid.size();
+  const VectorXd &p = solution.shear.p, &slip = solution.shear.slip, &bound = solution.task.bound;
+  std::vector<double> friction(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool slides = !problem.hardens() && bound[i] < problem.yield->shear; // friction may vary
+    friction[i] = slides ? bound[i] : problem.friction_of(int(i) / problem.grid.mx) * solution.normal.p[i];
+  }
+  return contact::plastic_of(contact::PlasticSlip(problem).answers({.px = {p.data(), n},
+                                                                    .ps = {p.data() + n, n},
+                                                                    .slip_x = {slip.data(), n},
+                                                                    .slip_s = {slip.data() + n, n},
+                                                                    .friction = friction}));
+}
+
 /// Throws where friction leaves no equilibrium.
 void require_balance(const ContactProblem& problem, const contact::Solution& solution) {
   if (!solution.unbalanced)
@@ -115,6 +132,8 @@ int threads_of(const SolverOptions& options) {
 ContactResult result_of(const ContactProblem& problem, const contact::Solution& solution) {
   ContactResult result;
   fill_fields(problem, solution, result);
+  if (problem.yield && problem.has_friction())
+    result.plastic = plastic_slip(problem, solution);
   ContactTotals& totals = result.totals;
   totals.approach = {solution.normal.approach};
   totals.creepage_x = {solution.creepage.x};
@@ -234,13 +253,9 @@ void Estimate::add_to(ContactResult& result) {
 double known_share(const ContactProblem& problem, const ContactResult& solved) {
   if (!solved.trust.discretisation)
     return unknown_error;
-  double capacity = 0;
-  for (std::size_t i = 0; i < solved.pn.size(); ++i)
-    capacity +=
-        problem.friction_of(static_cast<int>(i) / problem.grid.mx) * solved.pn[i] * problem.element_area();
   const ContactTotals& totals = solved.totals;
   const double force = totals.Fx.error > 0 ? totals.Fx.error : totals.creepage_x.error / totals.compliance_x;
-  return force / capacity;
+  return force / friction_bound(problem, solved);
 }
 
 /// The solution without longitudinal force is looked for from here.

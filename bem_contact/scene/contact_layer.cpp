@@ -45,6 +45,7 @@ SurfaceLayer ContactLayer::on(const std::vector<ContactRow>& rows) const {
 ContactLayer read_layer(const SceneFile& scene) {
   const SceneFile::Layer& asked = scene.layer;
   ContactLayer out;
+  out.state = asked.state;
   out.normal = asked.normal_compliance;
   if (scene.motion.frictionless || scene.motion.friction == 0)
     return out;
@@ -53,6 +54,8 @@ ContactLayer read_layer(const SceneFile& scene) {
   if (!asked.table.empty())
     out.table = read_compliances(scene.folder / asked.table);
   out.slope = asked.slope;
+  if (asked.yield_shear)
+    out.yield = YieldLimit{*asked.yield_shear, asked.hardening};
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/elastic_limit.hpp"
+#include "bem_contact/scene/steels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,9 @@ constexpr double plane_strain_distance = 100.0;
 
 Body body_of(const SceneFile::Side& side, const std::filesystem::path& folder) {
   return {side.material, side.influence.empty() ? std::filesystem::path() : folder / side.influence,
-          side.structural};
+          side.structural,
+          side.steel.empty() || side.limit_pressure ? side.limit_pressure
+                                                    : steel_named(side.steel).indentation_pressure()};
 }
 
 ContactLoad load_of(const SceneFile& scene, double approach) {
@@ -115,6 +118,12 @@ double ContactSetup::reference_distance() const {
   return patch() && patch()->radius != 0 ? std::abs(patch()->radius) : plane_strain_distance;
 }
 
+std::optional<double> ContactSetup::limit_pressure() const {
+  if (!rail.limit_pressure || !wheel.limit_pressure)
+    return rail.limit_pressure ? rail.limit_pressure : wheel.limit_pressure;
+  return std::min(*rail.limit_pressure, *wheel.limit_pressure);
+}
+
 RowsOnBodies ContactSetup::rows_on(const GridPlan& plan) const {
   if (const PatchGeometry* own = patch())
     return {own->rows, own->rail_s, own->wheel_s};
@@ -136,6 +145,7 @@ ContactOnGrid ContactSetup::on(const GridPlan& plan) const {
   problem.load = load.kind;
   problem.force = load.force;
   problem.approach = load.approach;
+  problem.limit_pressure = limit_pressure();
   if (const PatchGeometry* own = patch()) {
     problem.grid = own->grid;
     problem.gap = own->gap;
@@ -150,6 +160,7 @@ ContactOnGrid ContactSetup::on(const GridPlan& plan) const {
   apply_motion(motion, reference().delta, problem);
   if (!problem.tangential)
     return out;
+  problem.yield = layer.yield;
   if (const PatchGeometry* own = patch())
     problem.previous = own->start;
   prescribe({}, problem);

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct Body {
   Material material;
   std::filesystem::path influence; ///< file of its influence functions; empty: none
   StructuralCompliance structural = StructuralCompliance::removed;
+  std::optional<double> limit_pressure = {}; ///< that its surface bears, MPa; empty: it is elastic
 
   bool operator==(const Body&) const = default;
 };
@@ -55,6 +57,9 @@ struct ContactSetup {
   /// Returns the distance from the load, mm, at which displacements vanish in plane strain, where they are
   /// only known up to a constant. It is the radius of a curved strip, else plane_strain_distance.
   double reference_distance() const;
+
+  /// The lower limit of the pressure of both bodies, MPa; nothing where neither has one.
+  std::optional<double> limit_pressure() const;
 
   RowsOnBodies rows_on(const GridPlan& plan) const;
   /// The problem on these elements, with what the scene prescribes for its first step. Throws InputError

@@ -212,6 +212,8 @@ void apply_motion(const Motion& motion, double reference_delta, ContactProblem& 
     problem.kinetic = ratio_of(*kinetic, largest, "motion.kinetic_friction");
   problem.speed = motion.speed;
   problem.falling = laws_of(motion, problem);
+  if (const auto& distance = motion.coefficients.friction_memory)
+    problem.memory = FrictionMemory{*distance, motion.coefficients.memory_velocity};
   problem.heating = heating_of(motion.temperature, largest);
   problem.force_x = motion.force_x;
   problem.force_s = motion.force_s;

@@ -19,6 +19,13 @@ void add_friction(SchemaTable& t, SceneFile::Motion& m) {
   for (const AskedLaw& law : friction_laws())
     for (const AskedLaw::Number& number : law.numbers)
       t.add(number.name(), m.*number.member, number.help, number.rule);
+  t.add("friction_memory", m.friction_memory,
+        "Distance of slip (some micrometres) over which friction that falls follows a slip velocity that "
+        "changes; 0: at once. "
+        "In steady rolling",
+        {.unit = "mm", .at_least = 0, .zero_is_none = true});
+  t.add("memory_velocity", m.memory_velocity, "With it: what sticks forgets as fast as at this slip velocity",
+        {.unit = "mm/s", .above = 0});
   t.add("friction_table", m.friction_table,
         "CSV file with columns s, mu (linear in between) instead of friction; s as in the result, or in its "
         "place "
@@ -75,7 +82,9 @@ void add_motion(Schema& s, SceneFile::Motion& m) {
         "load is force or approach, whichever is given; force_x and force_s need their keys too; x (mm, "
         "shifts of a patch) is where the contact lies on the grid, which lies still");
   t.add("start_table", m.start_table,
-        "CSV file with columns ix, is, px, ps, pn: tractions that transient or shift start from",
+        "CSV file with columns ix, is, px, ps, pn: tractions that transient or shift start from; with a "
+        "further "
+        "column plastic_slip (mm) that of a layer that yields",
         {.kinds = patch_alone});
   t.add("xi", m.xi, "Longitudinal creepage, wheel over rail; wheel_rail: at the middle of the contact");
   t.add("eta", m.eta, "Lateral creepage");

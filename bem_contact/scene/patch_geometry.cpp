@@ -109,8 +109,14 @@ PatchGeometry read_patch(const SceneFile& scene) {
                                     : read_fields(scene.folder / scene.gap.table, out.grid, {"h"})[0];
   const bool friction = !scene.motion.frictionless && scene.motion.friction > 0;
   if (friction && !scene.motion.start_table.empty()) {
-    auto fields = read_fields(scene.folder / scene.motion.start_table, out.grid, {"px", "ps", "pn"});
-    out.start = {{std::move(fields[0]), std::move(fields[1]), std::move(fields[2])}};
+    const std::filesystem::path file = scene.folder / scene.motion.start_table;
+    std::vector<std::string> names{"px", "ps", "pn"};
+    if (const std::vector<std::string> given = csv_columns(file);
+        !given.empty() && given.back() == "plastic_slip")
+      names.push_back("plastic_slip");
+    auto fields = read_fields(file, out.grid, names);
+    fields.resize(4); // no plastic slip: empty
+    out.start = {{std::move(fields[0]), std::move(fields[1]), std::move(fields[2]), std::move(fields[3])}};
   }
   if (friction && !scene.motion.slip_table.empty()) {
     auto fields = read_fields(scene.folder / scene.motion.slip_table, out.grid, {"wx", "ws"});

@@ -33,6 +33,15 @@ void add_side(Schema& s, const std::string& name, const std::string& role, Scene
   t.add("influence", side.influence, "Influence file (HDF5); empty where only half-space numbers are used");
   t.add("structural", side.structural, "Deflection of the body as a whole (web and foot, or hub)");
   add_material(s, name + ".material", side.material, young);
+  SchemaTable material(s, name + ".material");
+  material.add("limit_pressure", side.limit_pressure,
+               "Pressure that the surface bears at the most: it is indented for good where the pressure "
+               "would be larger. "
+               "The lower one of both bodies acts; 0: none, or that of steel",
+               {.unit = "MPa", .at_least = 0, .zero_is_none = true});
+  material.add("steel", side.steel,
+               "Steel whose hardness is limit_pressure, as R260, R350HT (EN 13674) or ER7, ER8 (EN 13262); "
+               "empty: none");
 }
 
 void add_position(Schema& s, SceneFile::Position& p) {

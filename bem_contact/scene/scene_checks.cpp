@@ -307,6 +307,18 @@ void check_stresses(const SceneFile::Stresses& asked, const Schema& s) {
                "Give places, for instance [0.0], or leave out stresses.depths.");
 }
 
+void check_memory(const SceneFile& f, const Schema& s) {
+  if (!f.motion.friction_memory || f.motion.frictionless)
+    return;
+  if (!asked_law(f.motion) && f.motion.friction_table.empty())
+    s.refuse("motion.friction_memory", "friction does not fall with the slip velocity",
+             "Give motion.falling_friction or polach_a, or leave it out.");
+  if (f.motion.kind != MotionKind::steady)
+    s.refuse("motion.friction_memory", "it is that of steady rolling", "Choose motion.kind = \"steady\".");
+  if (f.layer.yield_shear)
+    s.refuse("motion.friction_memory", "the layer yields (layer.yield_shear)", "Give one of the two.");
+}
+
 void check_layer(const SceneFile& f, const Schema& s) {
   const SceneFile::Layer& layer = f.layer;
   if (layer.shear_modulus.has_value() != layer.thickness.has_value())
@@ -328,6 +340,16 @@ void check_layer(const SceneFile& f, const Schema& s) {
   if (layer.slope && f.motion.kind != MotionKind::steady)
     s.refuse("layer.slope", "it is the slope of steady rolling",
              "Choose motion.kind = \"steady\", or give layer.compliance.");
+  if (layer.hardening != 0 && !layer.yield_shear)
+    s.refuse("layer.hardening", "layer.yield_shear is not given",
+             "Give the traction at which the layer yields.");
+  if (layer.yield_shear && f.motion.kinetic_friction)
+    s.refuse("layer.yield_shear", "motion.kinetic_friction is another law of what slips",
+             "Give one of the two.");
+  const bool falls = f.motion.falling_friction || f.motion.polach_a || f.temperature.hot_friction;
+  if (layer.hardening != 0 && falls)
+    s.refuse("layer.hardening", "friction falls with slip velocity or temperature",
+             "Give a layer that does not harden, or constant friction.");
   if (layer.normal_compliance > 0 && f.solver.model == Model::hertz)
     s.refuse("layer.normal_compliance", "Hertz's closed form has no layer between the bodies",
              "Choose another solver.model.");
@@ -352,6 +374,7 @@ void check_keys(const SceneFile& f, const Schema& s) {
   check_steps(f, s);
   check_friction(f, s);
   check_layer(f, s);
+  check_memory(f, s);
   check_stresses(f.stresses, s);
   if (f.kind == SceneKind::patch)
     check_patch(f, s);

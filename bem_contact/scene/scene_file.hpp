@@ -23,6 +23,10 @@ struct FrictionCoefficients {
   /// mu that friction falls to at high slip velocity, and the slip velocity at which half of the difference
   /// is left, mm/s; or Polach's A and B (s/m). They need motion.speed.
   std::optional<double> falling_friction, half_slip_velocity, polach_a, polach_b;
+  /// Distance of slip over which friction follows a slip velocity that changes, mm; empty: at once. And the
+  /// velocity with which it does so where nothing slips, mm/s.
+  std::optional<double> friction_memory;
+  double memory_velocity = 1;
 
   bool operator==(const FrictionCoefficients&) const = default;
 };
@@ -43,7 +47,10 @@ struct SceneFile {
     double y = 0, z = 0; ///< absolute: where the section's origin stands (WheelsetPosition), mm
     std::optional<double> roller_radius = {}; ///< rail of a roller rig: WheelsetPosition::roller_radius, mm
     Material material;                        ///< [rail.material], [wheel.material]
-    std::string influence;                    ///< influence file; "" where only half-space numbers are used
+    std::optional<double> limit_pressure =
+        {};                 ///< [rail.material]: p_n is no larger, MPa; empty: that of `steel`
+    std::string steel = {}; ///< [rail.material]: name (steels.hpp); "": not given
+    std::string influence;  ///< influence file; "" where only half-space numbers are used
     StructuralCompliance structural = StructuralCompliance::removed; ///< deflection as a whole
 
     bool operator==(const Side&) const = default;
@@ -197,13 +204,16 @@ struct SceneFile {
   /// [layer]: a thin compliant layer between the surfaces; at most one of compliance, shear_modulus with
   /// thickness, table and slope
   struct Layer {
+    std::string state; ///< of the surfaces (surface_states.hpp), where other keys say nothing; "": not given
     std::optional<double> compliance;    ///< of shear tractions, of both surfaces together, mm^3/N
     std::optional<double> shear_modulus; ///< with thickness: compliance = thickness / shear_modulus, MPa
     std::optional<double> thickness;     ///< mm
     std::string table;                   ///< CSV file with columns s (mm), compliance (mm^3/N)
     /// The slope of Fx over xi at xi = 0 with the layer, over that without it: the compliance is found.
     std::optional<double> slope;
-    double normal_compliance = 0; ///< of pressure, mm^3/N
+    double normal_compliance = 0;      ///< of pressure, mm^3/N
+    std::optional<double> yield_shear; ///< traction at which it yields, MPa; empty: it does not
+    double hardening = 0;              ///< of yield_shear with its plastic slip, MPa/mm; below 0: it softens
 
     bool operator==(const Layer&) const = default;
   } layer; ///< [layer]

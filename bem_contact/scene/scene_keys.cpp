@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/material_keys.hpp"
 #include "bem_contact/scene/network.hpp"
+#include "bem_contact/scene/surface_states.hpp"
 
 #include <fmt/format.h>
 
@@ -62,6 +63,10 @@ void add_patch(Schema& s, SceneFile::Gap& gap, SceneFile::Strip& strip) {
 
 void add_layer(Schema& s, SceneFile::Layer& layer) {
   SchemaTable t(s, "layer");
+  t.add("state", layer.state,
+        "State of the surfaces as others measured it, clean, rig, locomotive, oxide, sand, clay or MoS2: "
+        "their layer, and "
+        "friction where they say it; each overridden by its own key; empty: none");
   t.add("compliance", layer.compliance,
         "Of a thin layer between the surfaces under shear, of both surfaces together: displacement in mm "
         "under 1 MPa; 0: there is none",
@@ -80,6 +85,16 @@ void add_layer(Schema& s, SceneFile::Layer& layer) {
   t.add("normal_compliance", layer.normal_compliance,
         "Of the layer under pressure, as of a pressure film: displacement in mm under 1 MPa",
         {.unit = "mm3/N", .at_least = 0});
+  t.add("yield_shear", layer.yield_shear,
+        "Shear traction at which the layer yields: no traction is larger than this or than friction bears; "
+        "with or "
+        "without a compliance; 0: it does not yield",
+        {.unit = "MPa", .at_least = 0, .zero_is_none = true});
+  t.add(
+      "hardening", layer.hardening,
+      "What yield_shear rises by with the plastic slip of the layer, which rolling carries along; below 0 it "
+      "softens",
+      {.unit = "MPa/mm", .at_least = -1e12, .at_most = 1e12});
 }
 
 void add_stresses(Schema& s, SceneFile::Stresses& stresses) {
@@ -186,6 +201,7 @@ Schema scene_schema(SceneFile& f, SceneKeysAsRead& read) {
 void settle(SceneFile& f, const Schema& s, const SceneKeysAsRead& read) {
   settle_material(s, "rail.material", f.rail.material, read.rail_young);
   settle_material(s, "wheel.material", f.wheel.material, read.wheel_young);
+  apply_state(f, s);
   set_network(f, s);
   f.wheel.reading.tape_circle = f.position.tape_circle;
   for (SceneFile::Side* side : {&f.rail, &f.wheel})

@@ -5,6 +5,7 @@
 #include "bem_contact/base/fixed_text.hpp"
 #include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/scene/network.hpp"
+#include "bem_contact/scene/surface_states.hpp"
 #include "bem_contact/scene/warnings.hpp"
 #include "bem_contact/sequence/conformity_record.hpp"
 #include "bem_contact/sequence/models.hpp"
@@ -206,7 +207,8 @@ std::string friction_text(const Motion& motion, const ContactProblem& problem) {
     return "friction: none";
   const std::string steps = counted(motion.steps.size(), "step", "steps");
   const std::string falls =
-      fmt::format("{}{}", problem.friction_falls() ? ", falls with the slip velocity" : "",
+      fmt::format("{}{}{}", problem.friction_falls() ? ", falls with the slip velocity" : "",
+                  problem.memory ? fmt::format(" over {:g} mm of slip", problem.memory->distance) : "",
                   problem.friction_falls_with_heat() ? ", falls with temperature" : "");
   return fmt::format("friction: {:g}{}, {}", problem.largest_friction(), falls,
                      motion.kind == MotionKind::steady  ? std::string("steady rolling")
@@ -217,6 +219,8 @@ std::string friction_text(const Motion& motion, const ContactProblem& problem) {
 /// The layer between the surfaces, in one line; nothing without one.
 std::optional<std::string> layer_text(const ContactLayer& layer) {
   std::vector<std::string> parts;
+  if (const SurfaceState* state = find_state(layer.state))
+    parts.push_back(fmt::format("state {} ({}; {})", state->name, state->source, state->range));
   if (layer.slope)
     parts.push_back(fmt::format("the compliance with which Fx grows with xi at {:g} of the slope without it, "
                                 "found where the contact is solved",
@@ -227,6 +231,8 @@ std::optional<std::string> layer_text(const ContactLayer& layer) {
     parts.push_back(fmt::format("compliance {:g} mm3/N", layer.compliance));
   if (layer.normal > 0)
     parts.push_back(fmt::format("{:g} mm3/N under pressure", layer.normal));
+  if (layer.yield)
+    parts.push_back(yield_text(*layer.yield));
   if (parts.empty())
     return std::nullopt;
   return fmt::format("layer between the surfaces: {}", fmt::join(parts, ", "));

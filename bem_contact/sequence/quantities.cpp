@@ -100,6 +100,12 @@ constexpr Quantity known_quantities[] = {
     {"approach", mm, "along z", of_totals<&ContactTotals::approach>},
     {"pmax", megapascal, "largest pressure", of_totals<&ContactTotals::pmax>},
     {"area", square, "in contact", of_totals<&ContactTotals::area>},
+    {"indentation", mm,
+     "how deep the surfaces are indented for good at most; nan: no limit_pressure is given",
+     [](const SceneResult& r) {
+       return r.problem.limit_pressure ? std::max(0.0, -std::ranges::min(r.result.deformed_distance)) : none;
+     },
+     Missing::possible},
     {"adhesion_share", share_unit, "of the area in contact that adheres",
      of_totals<&ContactTotals::adhesion_share>},
     {"T_gamma", work_unit, "work of friction per unit of rolled distance (shift: in the step)",
@@ -128,8 +134,17 @@ constexpr Quantity known_quantities[] = {
        return r.layer.shear.empty() || r.layer.by_row() ? none : r.layer.shear.front();
      },
      Missing::possible},
+    {"layer_slope", share_unit,
+     "slope of Fx over xi at 0 with the layer, over that without it, by slopes in series (within 4 %); nan: "
+     "no layer",
+     [](const SceneResult& r) { return r.layer.shear.empty() ? none : r.layer_slope; }, Missing::possible},
     {"layer_normal_compliance", compliance_unit, "of the layer under pressure; nan: there is none",
      [](const SceneResult& r) { return r.layer.normal > 0 ? r.layer.normal : none; }, Missing::possible},
+    {"plastic_slip", mm, "largest plastic slip of the layer; nan: it does not yield",
+     [](const SceneResult& r) {
+       return r.result.plastic.empty() ? none : std::ranges::max(r.result.plastic);
+     },
+     Missing::possible},
     {"free_rolling_xi", creepage_alone, "longitudinal creepage at which Fx is 0; nan: not looked for",
      [](const SceneResult& r) { return r.motion.free_rolling ? r.motion.free_rolling->xi : Measured{none}; },
      Missing::possible},
@@ -291,6 +306,12 @@ constexpr ElementQuantity all_of_elements[] = {
      copy_temperature<&SurfaceTemperatures::rail>, has_temperatures},
     {"T_wheel", celsius, "flash temperature of the wheel's surface",
      copy_temperature<&SurfaceTemperatures::wheel>, has_temperatures},
+    {"plastic_slip", mm, "plastic slip of the layer, which rolling carries along",
+     [](const SceneResult& r, std::span<double> to) {
+       std::ranges::fill(to, none);
+       std::ranges::copy(r.result.plastic, to.begin());
+     },
+     [](const SceneResult& r) { return !r.result.plastic.empty(); }},
     kept_field<&ContactFields::deformed_distance>("deformed_distance", mm,
                                                   "between the deformed surfaces, along n"),
     {"gap", mm, "undeformed distance along the rail's normal",

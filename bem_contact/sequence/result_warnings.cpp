@@ -1,6 +1,7 @@
 #include "bem_contact/sequence/result_warnings.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/scene/steels.hpp"
 #include "bem_contact/sequence/asked_error.hpp"
 #include "bem_contact/sequence/lateral/settings.hpp"
 #include "bem_contact/sequence/models.hpp"
@@ -33,13 +34,28 @@ constexpr double largest_creepage = 0.1;
 /// the top, and worn flanges touch little lower.
 constexpr double head_depth = 18.0;
 
-void warn_of_yield(const ContactSetup& setup, double pmax, Warnings& out) {
-  const double softer = std::min(setup.rail.material.young(), setup.wheel.material.young());
-  if (softer > least_steel_modulus && pmax > yield_factor * yield_strength)
+/// What a limit of the pressure would give.
+std::string limit_text(const ContactResult& r) {
+  const Steel& usual = steel_named("R260");
+  const double limit = usual.indentation_pressure();
+  double pressed = 0;
+  for (const PatchSummary& patch : r.patches)
+    pressed += patch.fn;
+  return fmt::format("rail.material.limit_pressure bounds the pressure (the hardness of {} is {:.0f} MPa{})",
+                     usual.name, limit,
+                     r.totals.pmax > limit ? fmt::format(", and under it more than {:.0f} mm2 are in contact",
+                                                         std::max<double>(pressed / limit, r.totals.area))
+                                           : "");
+}
+
+void warn_of_yield(const ContactSetup& setup, const ContactResult& r, Warnings& out) {
+  const double softer = std::min(setup.rail.material.young(), setup.wheel.material.young()),
+               pmax = r.totals.pmax;
+  if (softer > least_steel_modulus && pmax > yield_factor * yield_strength && !setup.limit_pressure())
     out.add(WarningKind::yield,
             fmt::format("the largest pressure is above three times the yield strength of usual steels "
-                        "({:.0f} MPa, 3 x {:g} MPa) Take it as an elastic result: steel flows there.",
-                        pmax, double(yield_strength)));
+                        "({:.0f} MPa, 3 x {:g} MPa) Take it as an elastic result: steel flows there. {}.",
+                        pmax, double(yield_strength), limit_text(r)));
 }
 
 /// The mean over the contact of the rigid slip, in which yaw and spin are. A shift has lengths in place of
@@ -164,7 +180,7 @@ Warnings result_warnings(const ContactCase& asked, const SceneResult& r) {
   Warnings out;
   if (!r.result.certified())
     return out;
-  warn_of_yield(asked.setup, r.result.totals.pmax, out);
+  warn_of_yield(asked.setup, r.result, out);
   warn_of_creepage(r, out);
   warn_of_head(asked, r, out);
   warn_of_kinetic_friction(r.problem, out);

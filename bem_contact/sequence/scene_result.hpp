@@ -107,6 +107,7 @@ struct SceneResult {
   ContactProblem problem; ///< grid, rows (wheel_rail: track frame), undeformed distance, rigid slip; without
                           ///< the values of the influence numbers
   SurfaceLayer layer;     ///< between the bodies, as given or found for layer.slope
+  double layer_slope = 1; ///< estimated_slope() (solution/layer_slope.hpp)
   ContactResult result;   ///< of the last step
   std::vector<ContactResult> history;        ///< transient and shift: of every step
   std::vector<PatchPlace> patch_places;      ///< of result.patches, in their order

@@ -240,5 +240,67 @@ TEST(FallingFriction, PrescribedForces) {
   EXPECT_THAT(refusal(problem), HasSubstr("mu falls in sliding"));
 }
 
+/// Where all slides at one velocity, friction falls from mu(0) at the leading edge to mu(w) over a distance
+/// of slip: mu(w) + (mu(0) - mu(w)) exp(-slip / distance).
+TEST(FallingFriction, WithMemoryInFullSlipIsTheClosedForm) {
+  const double xi = 0.25, distance = 0.3;
+  ContactProblem problem = scenes::flat(scenes::steel, scenes::steel, 44, 1, 0.4, 200, 8e-4, 0);
+  problem.force = 106700;
+  problem.speed = 10000;
+  scenes::set_creepage(problem, 0.33, xi, 0, 0);
+  problem.falling = {falling};
+  problem.memory = FrictionMemory{distance, 1};
+  const ContactResult r = solved(problem);
+  ASSERT_EQ(count_elements(r).adhesion, 0);
+  int last = problem.grid.mx - 1;
+  while (!(r.pn[last] > 0))
+    --last;
+  const double law = falling.factor(xi * problem.speed);
+  for (int i = 0; i <= last; ++i)
+    if (r.pn[i] > 0) {
+      const double slip = xi * (last + 0.5 - i) * problem.grid.dx;
+      EXPECT_NEAR(r.px[i] / (0.33 * r.pn[i]), law + (1 - law) * std::exp(-slip / distance), 2e-3) << i;
+    }
+}
+
+TEST(FallingFriction, WithoutDistanceMemoryIsNone) {
+  ContactProblem problem = locomotive(0.02);
+  problem.falling = {falling};
+  const ContactResult at_once = solved(problem);
+  double before = 1;
+  for (const double distance : {1e-2, 1e-3, 1e-5}) {
+    problem.memory = FrictionMemory{distance, 1};
+    const double more = solved(problem).totals.Fx / at_once.totals.Fx - 1;
+    EXPECT_GT(more, -1e-7) << distance;
+    EXPECT_LT(more, before) << distance;
+    before = more;
+  }
+  EXPECT_LT(before, 1e-4);
+}
+
+/// Steep laws that do not settle without it: with memory over some elements' slip there is one solution.
+TEST(FallingFriction, WithMemorySteepLawsSettle) {
+  int without = 0, with = 0;
+  for (const double half : {3.0, 2.0, 1.5})
+    for (const double xi : {8e-4, 1.6e-3}) {
+      ContactProblem problem = locomotive(xi);
+      problem.falling = {exponential_friction(0.14, 0.19, half)};
+      without += solve(problem, scenes::without_estimate).certified();
+      problem.memory = FrictionMemory{0.003, 1};
+      with += solve(problem, scenes::without_estimate).certified();
+    }
+  EXPECT_EQ(with, 6);
+  EXPECT_LT(without, 6);
+}
+
+TEST(FallingFriction, MemoryNeedsAFall) {
+  ContactProblem problem = locomotive(0.02);
+  problem.memory = FrictionMemory{0.01, 1};
+  EXPECT_THAT(refusal(problem), HasSubstr("nothing to remember"));
+  problem.falling = {falling};
+  problem.memory->distance = 0;
+  EXPECT_THAT(refusal(problem), HasSubstr("memory of friction"));
+}
+
 } // namespace
 } // namespace bem_contact

@@ -155,7 +155,7 @@ TEST(NewtonFactors, SolveAlongBoundsAndLeaveTheRest) {
         elements[a].along(v.segment<2>(2 * static_cast<Eigen::Index>(a)));
   VectorXf x(v.size()), image(v.size());
   factors.solve(elements, v, x);
-  newton_image(elements, x, matrix.fast * x, image);
+  newton_image(elements, {}, x, matrix.fast * x, image);
   EXPECT_LT((image - v).norm(), 1e-5f * v.norm());
 
   // An element that the factors do not know, and one that has gone.

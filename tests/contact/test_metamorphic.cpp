@@ -124,9 +124,10 @@ TEST(Metamorphic, InitialGuessOfTheNormalProblem) {
   std::mt19937 random(5);
   for (int guess = 0; guess < 4; ++guess) {
     contact::NormalState state;
-    state.active.assign(n, 0);
+    state.sides.assign(n, contact::NormalSide::apart);
     for (int i = 0; i < n; ++i) // everything, a corner, a chequerboard, anything
-      state.active[i] = guess == 0 ? 1 : guess == 1 ? i == 0 : guess == 2 ? (i + i / 24) % 2 : random() % 2;
+      if (guess == 0 ? true : guess == 1 ? i == 0 : guess == 2 ? (i + i / 24) % 2 == 1 : random() % 2 == 1)
+        state.sides[i] = contact::NormalSide::touching;
     solve_normal(system, gap, {LoadKind::force, 0, problem.force}, {}, work, state);
     ASSERT_TRUE(state.converged) << guess << state.remark;
     EXPECT_NEAR(state.approach, from_nothing.approach, 1e-9 * state.approach) << guess;

@@ -151,7 +151,7 @@ TEST(Start, AGuessWithoutPressureIsIgnored) {
   guess.pn[28] = -1;
   const contact::Solution start = contact::start(problem, {.start = &guess}, operators, work);
   EXPECT_EQ(start.normal.p.sum(), 3);
-  EXPECT_EQ(std::count(start.normal.active.begin(), start.normal.active.end(), 1), 1);
+  EXPECT_EQ(std::ranges::count(start.normal.sides, contact::NormalSide::touching), 1);
   EXPECT_EQ(work.used(), 0);
 }
 

@@ -109,6 +109,7 @@ TEST(LayerScene, TheSlopeIsMet) {
     EXPECT_NEAR(solved_with_layer(layer_patch(so_much, motion, grid)).result.totals.Fx, r.result.totals.Fx,
                 1e-9 * r.result.totals.Fx);
     EXPECT_NEAR(slope_with(so_much, grid) / clean, share, 1e-3) << found;
+    EXPECT_NEAR(quantity("layer_slope").value(r), share, 0.05 * share);
     // 1 / (1/C + 1/C_layer) with the layer's own slope between rigid bodies, 8 a^2 b / (3 L). A check: it is
     // exact nowhere in rolling.
     const PatchSummary& p = r.result.patches.front();
@@ -248,6 +249,121 @@ TEST(LayerScene, CheckSaysWhatTheLayerIs) {
   EXPECT_THAT(lines("compliance = 2e-5"), HasSubstr("layer between the surfaces: compliance 2e-05 mm3/N"));
   EXPECT_THAT(lines("slope = 0.6"), HasSubstr("0.6 of the slope"));
   EXPECT_THAT(lines(""), ::testing::Not(HasSubstr("layer")));
+}
+
+TEST(LayerScene, ThatYieldsBearsItsLimitInEveryModel) {
+  for (const char* model : {"halfspace", "tangent_plane", "fem", "simplified"}) {
+    const auto scene = [&](const std::string& more) {
+      return parse_scene_file(
+          fmt::format("rail = {{ profile = '60E1', influence = '{0}/small_rail.h5' }}\n"
+                      "wheel = {{ profile = 'S1002', influence = '{0}/small_wheel.h5' }}\n"
+                      "position.lateral = 6.6\nload.force = 1e5\nsolver.model = '{1}'\n"
+                      "grid = {{ dx = 1.0, ds = 0.6 }}\nmotion = {{ xi = 2e-2, free_rolling = false }}\n"
+                      "layer.compliance = 3e-5\n{2}",
+                      CONFORMAL_SOURCE_DIR "/data/influence", model, more));
+    };
+    SCOPED_TRACE(model);
+    const SceneResult never = solved_with_layer(scene("layer.yield_shear = 1e5\n")),
+                      without = solved_with_layer(scene("")),
+                      soft = solved_with_layer(scene("layer.yield_shear = 20\n")),
+                      hard = solved_with_layer(scene("layer.yield_shear = 20\nlayer.hardening = 500\n")),
+                      softens = solved_with_layer(scene("layer.yield_shear = 20\nlayer.hardening = -20\n"));
+    EXPECT_NEAR(never.result.totals.Fx, without.result.totals.Fx, 1e-9 * without.result.totals.Fx);
+    EXPECT_EQ(quantity("plastic_slip").value(never), 0);
+    EXPECT_TRUE(std::isnan(quantity("plastic_slip").value(without)));
+    const double limit = 20 * double(soft.result.totals.area);
+    EXPECT_LT(soft.result.totals.Fx, limit);
+    EXPECT_GT(soft.result.totals.Fx, 0.85 * limit);
+    EXPECT_GT(hard.result.totals.Fx, 1.05 * double(soft.result.totals.Fx));
+    EXPECT_LT(softens.result.totals.Fx, soft.result.totals.Fx);
+    for (const SceneResult* r : {&soft, &hard, &softens}) {
+      const double largest = quantity("plastic_slip").value(*r);
+      for (std::size_t i = 0; i < r->result.px.size(); ++i)
+        EXPECT_LE(std::hypot(r->result.px[i], r->result.ps[i]), 20 + (r == &hard ? 500 * largest : 0) + 1e-4);
+      if (std::string(model) != "simplified") {
+        EXPECT_TRUE(r->result.trust.discretisation);
+      }
+    }
+  }
+}
+
+/// Stated errors of a layer that yields: forces on elements half as large lie within them.
+TEST(LayerScene, ThatYieldsHasErrorsThatHold) {
+  for (const char* layer :
+       {"yield_shear = 60", "yield_shear = 60\nhardening = 800", "yield_shear = 100\nhardening = -100"})
+    for (const char* xi : {"xi = 1e-3", "xi = 5e-3\neta = 2e-3"}) {
+      const std::string all = std::string("compliance = 5e-5\n") + layer;
+      const SceneResult coarse = solved_with_layer(layer_patch(all, xi)),
+                        fine = solved_with_layer(
+                            layer_patch(all, xi, "dx = 0.125\nds = 0.125\nmx = 112\nms = 88"));
+      EXPECT_NEAR(coarse.result.totals.Fx, fine.result.totals.Fx, coarse.result.totals.Fx.error)
+          << layer << xi;
+      EXPECT_NEAR(coarse.result.totals.T_gamma, fine.result.totals.T_gamma,
+                  coarse.result.totals.T_gamma.error)
+          << layer << xi;
+    }
+}
+
+TEST(LayerScene, YieldIsReadAndRefused) {
+  EXPECT_THAT(layer_refusal("hardening = 10"), HasSubstr("layer.yield_shear is not given"));
+  EXPECT_THAT(layer_refusal("yield_shear = 100", "xi = 1e-3\nkinetic_friction = 0.2"),
+              HasSubstr("layer.yield_shear"));
+  EXPECT_THAT(layer_refusal("yield_shear = 100\nhardening = 10",
+                            "xi = 1e-3\nspeed = 1e4\nfalling_friction = 0.2\nhalf_slip_velocity = 1000"),
+              HasSubstr("layer.hardening"));
+  EXPECT_THAT(layer_refusal("yield_shear = 100\nhardening = -1e7"), HasSubstr("more than one solution"));
+  EXPECT_THAT(layer_patch("yield_shear = 100", "frictionless = true").unused,
+              Contains(HasSubstr("layer.yield_shear")));
+  EXPECT_TRUE(std::isnan(quantity("plastic_slip").value(solved_with_layer(layer_patch("yield_shear = 0")))));
+}
+
+/// A history goes on from its plastic slip: a start table with it repeats the last step of a longer history.
+TEST(LayerScene, AStartTableHasThePlasticSlip) {
+  const TemporaryFolder folder;
+  const std::string layer = "compliance = 5e-5\nyield_shear = 60\nhardening = 1e3",
+                    grid = "dx = 1\nds = 1\nmx = 14\nms = 11", shift = "kind = 'shift'\nxi = 0.02\n";
+  const SceneResult one = solved_with_layer(layer_patch(layer, shift, grid)),
+                    two = solved_with_layer(layer_patch(layer, shift + "steps = 2", grid));
+  std::ofstream table(folder / "start.csv");
+  table << "ix,is,px,ps,pn,plastic_slip\n";
+  for (std::size_t i = 0; i < one.result.px.size(); ++i)
+    table << fmt::format("{},{},{:.17g},{:.17g},{:.17g},{:.17g}\n", i % 14, i / 14, one.result.px[i],
+                         one.result.ps[i], one.result.pn[i], one.result.plastic[i]);
+  table.close();
+  const SceneResult gone_on = solved_with_layer(
+      layer_patch(layer, shift + "start_table = '" + (folder / "start.csv").string() + "'", grid));
+  EXPECT_GT(quantity("plastic_slip").value(two), 1.5 * quantity("plastic_slip").value(one));
+  EXPECT_NEAR(quantity("plastic_slip").value(gone_on), quantity("plastic_slip").value(two), 1e-9);
+  EXPECT_NEAR(gone_on.result.totals.Fx, two.result.totals.Fx, 1e-7 * two.result.totals.Fx);
+}
+
+TEST(LayerScene, AStateIsItsRowUnlessKeysSayOtherwise) {
+  const auto read = [](const std::string& layer, const std::string& motion = "speed = 1e4") {
+    return parse_scene_file("kind = 'patch'\nload.force = 5e4\ngrid = { mx = 20, ms = 20 }\nmotion = { " +
+                            motion + " }\n[layer]\n" + layer);
+  };
+  const SceneFile clay = read("state = 'clay'");
+  EXPECT_EQ(clay.layer.compliance, 1.88e-4);
+  EXPECT_EQ(clay.layer.yield_shear, 200);
+  EXPECT_EQ(clay.layer.hardening, 435);
+  EXPECT_EQ(clay.motion.friction, SceneFile().motion.friction);
+  const SceneFile locomotive = read("state = 'locomotive'");
+  EXPECT_EQ(locomotive.motion.friction, 0.33);
+  EXPECT_EQ(locomotive.motion.falling_friction, 0.14);
+  EXPECT_FALSE(read("state = 'locomotive'", "xi = 1e-3").motion.falling_friction) << "it needs a speed";
+  EXPECT_EQ(read("state = 'locomotive'", "friction = 0.2").motion.friction, 0.2);
+  EXPECT_EQ(read("state = 'clay'\ncompliance = 1e-5\nhardening = 0").layer.compliance, 1e-5);
+  EXPECT_EQ(read("state = 'clay'\ncompliance = 1e-5\nhardening = 0").layer.hardening, 0);
+  EXPECT_FALSE(read("state = 'clay'\nslope = 0.6").layer.compliance);
+  EXPECT_FALSE(read("state = 'clean'").layer.compliance);
+  EXPECT_THAT(message_of([&] { read("state = 'mud'"); }), HasSubstr("clay"));
+  // Each is certified, and softer the softer its layer is.
+  double before = 1e9;
+  for (const char* state : {"clean", "rig", "sand", "clay", "MoS2"}) {
+    const SceneResult r = solved_with_layer(layer_patch(std::string("state = '") + state + "'"));
+    EXPECT_LT(r.result.totals.Fx, before) << state;
+    before = r.result.totals.Fx;
+  }
 }
 
 } // namespace

@@ -43,7 +43,7 @@ ContactCase without_friction(const ContactCase& one) {
   std::erase_if(out.keys, [](const auto& entry) {
     return entry.first.starts_with("motion.") || entry.first.starts_with("temperature.") ||
            entry.first == "load.force_x" || entry.first == "load.force_s" ||
-           entry.first == "layer.shear_modulus" || entry.first == "layer.thickness";
+           (entry.first.starts_with("layer.") && entry.first != "layer.normal_compliance");
   });
   std::erase_if(out.tables, [](const auto& table) { return table.key.starts_with("motion."); });
   out.set_text("motion.kind", "steady");
@@ -64,12 +64,12 @@ std::string line_of(const Tractions& p, const PatchGrid& from, const PatchGrid& 
     return k > -0.5 && k < static_cast<double>(count) - 0.5;
   };
   if (!near(column, from.mx) || !near(row, from.ms))
-    return fmt::format("{},{},0,0,0\n", i, j);
+    return fmt::format("{},{},0,0,0{}\n", i, j, p.plastic.empty() ? "" : ",0");
   const auto k =
       static_cast<std::size_t>(std::lround(row)) * from.mx + static_cast<std::size_t>(std::lround(column));
   const double turn = from.sign() * to.sign();
-
-  return fmt::format("{},{},{:.17g},{:.17g},{:.17g}\n", i, j, turn * p.px[k], turn * p.ps[k], p.pn[k]);
+  return fmt::format("{},{},{:.17g},{:.17g},{:.17g}{}\n", i, j, turn * p.px[k], turn * p.ps[k], p.pn[k],
+                     p.plastic.empty() ? "" : fmt::format(",{:.17g}", p.plastic[k]));
 }
 
 } // namespace
@@ -113,7 +113,7 @@ void SolvedCases::set_start(const ContactCase& before, ContactCase& next) {
     return next.refuse(fmt::format("P = 0: it goes on from case {}, which has other elements", before.last));
   try {
     const Tractions start = tractions_of(solve(before).result);
-    std::string text = "ix,is,px,ps,pn\n";
+    std::string text = start.plastic.empty() ? "ix,is,px,ps,pn\n" : "ix,is,px,ps,pn,plastic_slip\n";
     for (std::size_t j = 0; j < to.ms; ++j)
       for (std::size_t i = 0; i < to.mx; ++i)
         text += line_of(start, from, to, i, j);

@@ -40,18 +40,23 @@ std::string signed_digits(const SceneResult& r, const char* name, int most) {
 }
 
 /// The layer between the surfaces, in one line; "" without one.
-std::string layer_text(const SurfaceLayer& layer) {
-  if (layer.is_none())
-    return "";
-  std::string out = "layer between the surfaces: compliance";
+std::string layer_text(const SceneResult& r) {
+  const SurfaceLayer& layer = r.layer;
+  std::vector<std::string> parts;
   if (layer.by_row()) {
     const auto [least, most] = std::ranges::minmax(layer.shear);
-    out += fmt::format(" {:.4g} .. {:.4g} mm3/N under shear, by row", least, most);
-  } else if (!layer.shear.empty())
-    out += fmt::format(" {:.4g} mm3/N under shear", layer.shear.front());
+    parts.push_back(fmt::format("compliance {:.4g} .. {:.4g} mm3/N under shear, by row", least, most));
+  } else if (!layer.shear.empty() && layer.shear.front() > 0)
+    parts.push_back(fmt::format("compliance {:.4g} mm3/N under shear", layer.shear.front()));
+  if (!parts.empty())
+    parts.push_back(fmt::format("about {:.2g} of the slope without it", r.layer_slope));
   if (layer.normal > 0)
-    out += fmt::format("{} {:.4g} mm3/N under pressure", layer.shear.empty() ? "" : ",", layer.normal);
-  return out + "\n";
+    parts.push_back(
+        fmt::format("{}{:.4g} mm3/N under pressure", parts.empty() ? "compliance " : "", layer.normal));
+  if (const auto& yield = r.problem.yield)
+    parts.push_back(
+        fmt::format("{}; plastic slip at most {}", yield_text(*yield), digits(r, "plastic_slip", 4) + " mm"));
+  return parts.empty() ? "" : fmt::format("layer between the surfaces: {}\n", fmt::join(parts, ", "));
 }
 
 /// Displacement and creepage that were found, and free rolling; "" of a patch.
@@ -187,7 +192,7 @@ std::string to_text(const SceneResult& r) {
   out += reference_text(r);
   out += r.result.patches.empty() ? "no contact: all forces are zero\n" : patches_text(r, force);
   out += totals_text(r, force);
-  out += layer_text(r.layer);
+  out += layer_text(r);
   out += rolling_text(r);
   if (const std::string why = why_no_errors(r); !why.empty() && !r.result.patches.empty())
     out += fmt::format("no errors (+-) are stated: {}\n", why);

@@ -3,6 +3,8 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/check/direct_sums.hpp"
 #include "bem_contact/contact/check/warm_friction.hpp"
+#include "bem_contact/contact/friction_memory.hpp"
+#include "bem_contact/contact/plastic_slip.hpp"
 #include "bem_contact/contact/slip_step.hpp"
 
 #include <algorithm>
@@ -115,18 +117,17 @@ std::optional<Fields> former_displacements(const ContactProblem& problem, const 
 double shear_imbalance(const ContactProblem& problem, const ContactResult& result) {
   if (!problem.has_friction())
     return 0;
-  double fx = 0, fs = 0, capacity = 0;
+  double fx = 0, fs = 0;
   for (int is = 0; is < problem.grid.ms; ++is) {
-    const double share = problem.lateral_share(is), friction = problem.friction_of(is);
+    const double share = problem.lateral_share(is);
     for (int i = is * problem.grid.mx; i < (is + 1) * problem.grid.mx; ++i) {
       fx += result.px[i] * problem.element_area();
       fs += result.ps[i] * share * problem.element_area();
-      capacity += friction * result.pn[i] * problem.element_area();
     }
   }
   const double missing = std::max(problem.force_x ? std::abs(fx - *problem.force_x) : 0.0,
                                   problem.force_s ? std::abs(fs - *problem.force_s) : 0.0);
-  return missing > 0 ? missing / capacity : 0;
+  return missing > 0 ? missing / friction_bound(problem, result) : 0;
 }
 
 void require_fields(const ContactProblem& problem, const ContactResult& result) {
@@ -147,10 +148,14 @@ std::vector<double> on_the_grid(const ContactProblem& problem, const std::vector
   return out;
 }
 
+/// 1. A pressure this close to its limit is at the limit: as much as the certificate may leave.
+constexpr double at_limit = 1e-6;
+
 void check_normal(const ContactProblem& problem, const ContactResult& result, const std::vector<double>& u_n,
                   int columns, Certificate& certificate) {
   const auto& [mx, ms, dx, ds, x0] = problem.grid;
   const double q = approach_of(problem, result);
+  const double limit = problem.limit_pressure.value_or(std::numeric_limits<double>::infinity());
   double pmax = 0, scale = 0, remote_scale = std::abs(q), lowest_p = 0, lowest_e = 0, product = 0;
   double term = 0; // of those that cancel
   int in_contact = 0;
@@ -167,11 +172,13 @@ void check_normal(const ContactProblem& problem, const ContactResult& result, co
         term = std::max({term, std::abs(problem.gap[i]), std::abs(approach), std::abs(u)});
         ++in_contact;
       }
-      lowest_p = std::max(lowest_p, -p);
-      lowest_e = std::max(lowest_e, -e);
-      product = std::max(product, std::abs(p * e));
+      lowest_p = std::max({lowest_p, -p, p - limit});
       if (!std::isfinite(p) || !std::isfinite(e))
         lowest_p = std::numeric_limits<double>::infinity();
+      if (p > (1 - at_limit) * limit && e < 0) // the bodies are indented
+        continue;
+      lowest_e = std::max(lowest_e, -e);
+      product = std::max(product, std::abs(p * e));
     }
   }
   if (scale == 0)
@@ -182,14 +189,12 @@ void check_normal(const ContactProblem& problem, const ContactResult& result, co
   certificate.rounding = rounding(term, scale, in_contact);
 }
 
-/// The largest violation of the cone |p_t| <= mu p_n, MPa. `warm`: what temperature leaves of mu; field.
-double cone_violation(const ContactProblem& problem, const ContactResult& result,
-                      const std::vector<double>& warm) {
+/// The largest violation of the cone |p_t| <= bound, MPa.
+double cone_violation(const ContactResult& result, const std::vector<double>& bound) {
   double cone = 0;
-  for (int i = 0; i < problem.grid.size(); ++i) {
-    const double mu = problem.has_friction() ? problem.friction_of(i / problem.grid.mx) * warm[i] : 0.0;
+  for (std::size_t i = 0; i < bound.size(); ++i) {
     const double shear = std::hypot(result.px[i], result.ps[i]);
-    cone = std::max(cone, shear - mu * result.pn[i]);
+    cone = std::max(cone, shear - bound[i]);
     if (!std::isfinite(shear))
       cone = std::numeric_limits<double>::infinity();
   }
@@ -261,6 +266,51 @@ Slips slips_of(const ContactProblem& problem, const ContactResult& result, const
   return out;
 }
 
+/// The bounds of a layer that yields. `bound`: of friction at rest, MPa; field. Where friction falls, what
+/// slides may have less friction than the layer bears, though at rest it has more: then the state that is
+/// nearer counts.
+void take_bounds_of_layer(const ContactProblem& problem, const ContactResult& result, Slips& slips,
+                          std::vector<double>& bound) {
+  const double shear = problem.yield->shear;
+  if (!problem.hardens()) {
+    for (Slips::Slip& slip : slips.slips) {
+      const double size = std::hypot(result.px[slip.element], result.ps[slip.element]);
+      const bool yields = bound[slip.element] > shear &&
+                          std::abs(size - shear) <= std::abs(size - std::min(slip.bound, shear));
+      slip.bound = yields ? shear : std::min(slip.bound, shear);
+    }
+    for (double& at : bound)
+      at = std::min(at, shear);
+    return;
+  }
+  std::vector<double> slip_x(bound.size(), 0.0), slip_s(bound.size(), 0.0);
+  for (const Slips::Slip& slip : slips.slips) {
+    slip_x[slip.element] = slip.x;
+    slip_s[slip.element] = slip.s;
+  }
+  const std::vector<LayerAnswer> answers = contact::PlasticSlip(problem).answers(
+      {.px = result.px, .ps = result.ps, .slip_x = slip_x, .slip_s = slip_s, .friction = bound});
+  for (std::size_t i = 0; i < bound.size(); ++i)
+    bound[i] = answers[i].bound;
+  for (Slips::Slip& slip : slips.slips)
+    slip.bound = bound[slip.element];
+}
+
+/// The bounds of friction that remembers, in slip and at rest, MPa; `bound`: without slip, field.
+void take_remembered_bounds(const ContactProblem& problem, Slips& slips, std::vector<double>& bound) {
+  std::vector<double> velocity(bound.size(), 0.0);
+  std::vector<char> in_contact(bound.size(), 0);
+  for (const Slips::Slip& slip : slips.slips) {
+    velocity[slip.element] = std::hypot(slip.x, slip.s) / slip_step(problem).length * problem.speed;
+    in_contact[slip.element] = 1;
+  }
+  const std::vector<double> factors = contact::remembered_factors(problem, velocity, in_contact);
+  for (std::size_t i = 0; i < bound.size(); ++i)
+    bound[i] *= factors[i];
+  for (Slips::Slip& slip : slips.slips)
+    slip.bound = bound[slip.element];
+}
+
 /// Of friction, by element, MPa mm/s; field.
 std::vector<double> heat_of(const ContactProblem& problem, const ContactResult& result, const Slips& slips) {
   const double length = slip_step(problem).length;
@@ -289,21 +339,29 @@ void check_states(const ContactResult& result, const Slips& slips, double tracti
 
 void check_friction(const ContactProblem& problem, const ContactResult& result, const Fields& u,
                     const std::vector<int>& elements, Certificate& certificate) {
-  double traction_scale = 0;
+  std::vector<double> bound(result.pn.size(), 0.0); // at rest
+  if (!problem.has_friction()) {
+    certificate.friction_cone = relative(cone_violation(result, bound), std::ranges::max(result.pn));
+    return;
+  }
+  Slips slips = slips_of(problem, result, u, elements);
   for (int i = 0; i < problem.grid.size(); ++i)
-    traction_scale = std::max(traction_scale, problem.has_friction()
-                                                  ? problem.friction_of(i / problem.grid.mx) * result.pn[i]
-                                                  : result.pn[i]);
-  Slips slips{};
-  std::vector<double> warm(result.pn.size(), 1.0);
-  if (problem.has_friction())
-    slips = slips_of(problem, result, u, elements);
-  if (problem.has_friction() && problem.friction_falls_with_heat()) {
-    warm = contact::warm_factors(problem, heat_of(problem, result, slips));
+    bound[i] = problem.friction_of(i / problem.grid.mx) * result.pn[i];
+  double traction_scale = std::ranges::max(bound);
+  if (problem.memory)
+    take_remembered_bounds(problem, slips, bound);
+  if (problem.friction_falls_with_heat()) {
+    const std::vector<double> warm = contact::warm_factors(problem, heat_of(problem, result, slips));
+    for (std::size_t i = 0; i < bound.size(); ++i)
+      bound[i] *= warm[i];
     for (Slips::Slip& slip : slips.slips)
       slip.bound *= warm[slip.element];
   }
-  certificate.friction_cone = relative(cone_violation(problem, result, warm), traction_scale);
+  if (problem.yield) {
+    take_bounds_of_layer(problem, result, slips, bound);
+    traction_scale = contact::traction_scale(std::ranges::max(bound), traction_scale);
+  }
+  certificate.friction_cone = relative(cone_violation(result, bound), traction_scale);
   check_states(result, slips, traction_scale, certificate);
   if (!slips.slips.empty())
     certificate.rounding =

@@ -45,7 +45,7 @@ ForceSums sum_up(const ContactProblem& problem, const ContactResult& result, dou
       sums.shear.fs += fs;
       sums.shear.moment += (x - x_at) * fs - (row.s - s_at) * fx;
       sums.pressure += fn;
-      const double friction = problem.friction_of(is) * fn;
+      const double friction = problem.has_friction() ? shear_bound(problem, result, i) * area : 0.0;
       sums.friction += friction;
       sums.friction_moment += friction * std::hypot(x - x_at, row.s - s_at);
     }

@@ -68,6 +68,8 @@ double weighed(const GridShares& shares, const Region& r, const ErrorParts& part
 
 /// `roughness`: as converges() takes it, MPa.
 ErrorParts pmax_parts(const Region& r, const Region& coarse, double roughness) {
+  if (r.at_limit && coarse.at_limit)
+    return {};
   return {.change = std::abs(r.pmax - coarse.pmax), .peak = r.curvature, .fixed = pmax_rough * roughness};
 }
 

@@ -111,6 +111,7 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
     if (result.pn[i] > out.pmax) {
       out.pmax = result.pn[i];
       out.curvature = field.curvature(ix, is);
+      out.at_limit = problem.limit_pressure && out.pmax >= *problem.limit_pressure;
     }
   }
   out.fx = sum_of(fx);

@@ -47,12 +47,13 @@ struct Region {
   /// creepages found. By conservation of energy it is the power of friction on elements of vanishing size
   /// (theory/estimates_and_heat.md, section 2). In other motions it is the power of friction itself.
   UncertainSum driving_power;
-  double pmax = 0;      ///< MPa
-  double curvature = 0; ///< at the peak: how far p_n falls to its neighbours, twice the mean
-                        ///< along x and twice that along s, MPa
-  double overlap = 0;   ///< PatchSummary::overlap, mm
-  double area = 0;      ///< mm^2
-  double x = 0, s = 0;  ///< centre of pressure, mm
+  double pmax = 0;       ///< MPa
+  bool at_limit = false; ///< pmax is the limit of the pressure, and known
+  double curvature = 0;  ///< at the peak: how far p_n falls to its neighbours, twice the mean
+                         ///< along x and twice that along s, MPa
+  double overlap = 0;    ///< PatchSummary::overlap, mm
+  double area = 0;       ///< mm^2
+  double x = 0, s = 0;   ///< centre of pressure, mm
 
   /// How far the pressure falls from its peak to the next elements, relative to the peak.
   double relative_fall() const { return curvature / pmax; }

@@ -5,6 +5,7 @@
 #include "bem_contact/contact/grid/larger_elements.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace bem_contact::contact {
 namespace {
@@ -14,10 +15,8 @@ using Eigen::VectorXd;
 /// Newton steps on the larger elements of a start. Chosen: a start that takes more saves nothing.
 constexpr int start_newton_steps = 30;
 
-void set_active(NormalState& normal) {
-  normal.active.resize(normal.p.size());
-  for (Eigen::Index i = 0; i < normal.p.size(); ++i)
-    normal.active[i] = normal.p[i] > 0;
+double limit_of(const ContactProblem& problem) {
+  return problem.limit_pressure.value_or(std::numeric_limits<double>::infinity());
 }
 
 /// Sets what is guessed. False, and nothing is set, if the guess is of another grid or has no pressure.
@@ -26,9 +25,10 @@ bool start_from_guess(const StartingPoint& guess, const ContactProblem& problem,
   if (guess.pn.size() != static_cast<std::size_t>(n) ||
       std::ranges::none_of(guess.pn, [](double p) { return p > 0; }))
     return false;
-  solution.normal.p = Eigen::Map<const VectorXd>(guess.pn.data(), n).cwiseMax(0.0);
+  solution.normal.p =
+      Eigen::Map<const VectorXd>(guess.pn.data(), n).cwiseMax(0.0).cwiseMin(limit_of(problem));
   solution.normal.approach = guess.approach;
-  set_active(solution.normal);
+  solution.normal.set_sides(limit_of(problem));
   if (problem.has_friction())
     solution.shear.p << Eigen::Map<const VectorXd>(guess.px.data(), n),
         Eigen::Map<const VectorXd>(guess.ps.data(), n);
@@ -90,7 +90,7 @@ void start_from_larger_elements(const ContactProblem& problem, const SolverOptio
     solution.normal.unit.resize(n);
     prolong(coarse.grid, known.normal.unit.data(), grid, solution.normal.unit.data());
   }
-  set_active(solution.normal);
+  solution.normal.set_sides(limit_of(problem));
   solution.normal.approach = known.normal.approach;
   if (known.shear.p.allFinite())
     for (const int c : {0, 1})

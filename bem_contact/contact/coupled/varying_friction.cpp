@@ -2,6 +2,7 @@
 
 #include "bem_contact/contact/coupled/anderson.hpp"
 #include "bem_contact/contact/flash_temperature.hpp"
+#include "bem_contact/contact/friction_memory.hpp"
 #include "bem_contact/contact/tangential/settings.hpp"
 
 #include <fmt/format.h>
@@ -61,13 +62,39 @@ VectorXd factors_of_heat(const TangentialSystem& system, const TangentialTask& t
   return factor;
 }
 
-/// Sets state.by_slip where the surfaces slip.
+/// A layer that does not harden bears the same wherever it yields.
+void limit_by_layer(const TangentialSystem& system, TangentialTask& task) {
+  const ContactProblem& problem = *system.problem;
+  if (system.hardening)
+    task.layer = system.hardening->may_yield(task.bound.maxCoeff()) ? &*system.hardening : nullptr;
+  else if (problem.yield)
+    task.bound = task.bound.cwiseMin(problem.yield->shear);
+}
+
+/// Sets state.by_slip where friction remembers the slip ahead.
+void remember(const TangentialSystem& system, const TangentialTask& task, TangentialState& state) {
+  std::vector<double> velocity(system.size(), 0.0);
+  std::vector<char> in_contact(system.size(), 0);
+  for (const int i : task.contact) {
+    velocity[i] = length_at(state.slip, i) / system.rule.length * system.problem->speed;
+    in_contact[i] = 1;
+  }
+  const std::vector<double> factors = remembered_factors(*system.problem, velocity, in_contact);
+  for (const int i : task.contact)
+    state.by_slip[i] = factors[i];
+}
+
+/// Sets state.by_slip where the surfaces slip. What slips within a layer that yields is no sliding.
 void learn_slip(const TangentialSystem& system, const TangentialTask& task, TangentialState& state) {
+  if (system.problem->memory)
+    return remember(system, task, state);
   const double scale = largest_slip(task.rigid, task.contact, state.slip, task.slip_floor);
   for (const int i : task.contact)
     if (const double slip = length_at(state.slip, i);
         slip > at_the_bound * scale && length_at(state.p, i) > (1 - at_the_bound) * task.bound[i])
-      state.by_slip[i] = factor_of_slip(system, i, slip);
+      state.by_slip[i] = system.problem->yield && task.bound[i] >= system.problem->yield->shear
+                             ? 1.0
+                             : factor_of_slip(system, i, slip);
 }
 
 /// The largest change of a bound, over the largest bound.
@@ -82,8 +109,12 @@ double largest_change(const TangentialTask& given, const VectorXd& change) {
 
 void solve_varying_friction(const TangentialSystem& system, const SolverOptions& options, WorkBudget& work,
                             TangentialTask& task, TangentialState& state, FoundCreepage& creepage) {
-  if (!system.problem->friction_varies() || task.contact.empty())
-    return solve_friction(system, options, work, task, state, creepage);
+  if (!system.problem->friction_varies() || task.contact.empty()) {
+    limit_by_layer(system, task);
+    solve_friction(system, options, work, task, state, creepage);
+    task.bound = bounds_of(task, state.p, state.slip);
+    return;
+  }
   const TangentialTask given = task;
   if (state.factor.size() == 0)
     state.factor = state.by_slip =
@@ -94,6 +125,7 @@ void solve_varying_friction(const TangentialSystem& system, const SolverOptions&
   for (int k = 0; k < most_friction_changes; ++k) {
     task = given;
     task.bound.array() *= state.factor.array();
+    limit_by_layer(system, task);
     solve_friction(system, options, work, task, state, creepage);
     if (creepage.beyond && plain.size() > 0 && state.factor != plain) { // the acceleration went too far
       state.factor = plain;

@@ -318,6 +318,7 @@ Companion companion_of(const ContactProblem& problem, const ContactResult& resul
   coarse.rows = larger.rows_at_centres(problem.rows);
   coarse.friction_rows = larger.mean_of_rows(problem.friction_rows);
   coarse.falling = larger.of_rows(problem.falling);
+  coarse.memory = problem.memory;
   coarse.speed = problem.speed;
   coarse.heating = problem.heating;
   coarse.gap = larger.gap_at_centres(problem.gap, distance_without_surface * far);
@@ -325,8 +326,9 @@ Companion companion_of(const ContactProblem& problem, const ContactResult& resul
     coarse.slip_x = larger.at_centres(problem.slip_x);
     coarse.slip_s = larger.at_centres(problem.slip_s);
     for (const Tractions& former : problem.previous)
-      coarse.previous.push_back(
-          {larger.at_centres(former.px), larger.at_centres(former.ps), larger.at_centres(former.pn)});
+      coarse.previous.push_back({larger.at_centres(former.px), larger.at_centres(former.ps),
+                                 larger.at_centres(former.pn),
+                                 former.plastic.empty() ? former.plastic : larger.mean(former.plastic)});
   }
   StartingPoint start{{larger.mean(result.px), larger.mean(result.ps), larger.mean(result.pn)},
                       result.totals.approach};

@@ -17,10 +17,10 @@ constexpr double rounding_of_sets = 1e-11;
 /// Steps without fewer changes than before; then the sets cycle. Chosen.
 constexpr int most_steps_without_progress = 12;
 
-std::vector<int> indices_of(const std::vector<char>& active) {
+std::vector<int> touching_of(const std::vector<NormalSide>& sides) {
   std::vector<int> list;
-  for (std::size_t i = 0; i < active.size(); ++i)
-    if (active[i])
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    if (sides[i] == NormalSide::touching)
       list.push_back(static_cast<int>(i));
   return list;
 }
@@ -38,14 +38,15 @@ double largest_on(const std::vector<int>& list, const VectorXd& field) {
 
 } // namespace
 
-std::vector<char> first_guess(const NormalSystem& system, const VectorXd& gap, const NormalLoad& load,
-                              WorkBudget& work, double& approach) {
+std::vector<NormalSide> first_guess(const NormalSystem& system, const VectorXd& gap, const NormalLoad& load,
+                                    WorkBudget& work, double& approach) {
   const int n = static_cast<int>(gap.size());
   const auto overlapping = [&](double q) {
-    std::vector<char> active(n);
+    std::vector<NormalSide> sides(n, NormalSide::apart);
     for (int i = 0; i < n; ++i)
-      active[i] = gap[i] - q * system.cosine[i] < 0;
-    return active;
+      if (gap[i] - q * system.cosine[i] < 0)
+        sides[i] = NormalSide::touching;
+    return sides;
   };
   if (load.kind == LoadKind::approach)
     return overlapping(load.approach);
@@ -61,11 +62,11 @@ std::vector<char> first_guess(const NormalSystem& system, const VectorXd& gap, c
   high += 1e-12 * std::abs(low); // rounding
   for (int step = 0; step < first_guess_bisections; ++step) {
     const double q = 0.5 * (low + high);
-    const std::vector<char> active = overlapping(q);
+    const std::vector<NormalSide> sides = overlapping(q);
     VectorXd one = VectorXd::Zero(n);
     double overlap = 0, cosines = 0;
     for (int i = 0; i < n; ++i)
-      if (active[i]) {
+      if (sides[i] == NormalSide::touching) {
         one[i] = 1;
         overlap += q * system.cosine[i] - gap[i];
         cosines += system.cosine[i];
@@ -89,8 +90,8 @@ ActiveSet::ActiveSet(const NormalSystem& system, const VectorXd& gap, const Norm
   const auto n = static_cast<std::size_t>(gap.size());
   const double start = state.approach;
   state.approach = load.approach;
-  if (state.active.size() != n || std::ranges::none_of(state.active, [](char a) { return a != 0; })) {
-    state.active = first_guess(system, gap, load, work, state.approach);
+  if (state.sides.size() != n || !state.in_contact()) {
+    state.sides = first_guess(system, gap, load, work, state.approach);
     state.p.setZero(gap.size());
     precision_ = cold_normal_precision;
   } else {
@@ -101,13 +102,24 @@ ActiveSet::ActiveSet(const NormalSystem& system, const VectorXd& gap, const Norm
   if (state.p.size() != gap.size())
     state.p.setZero(gap.size());
   const VectorXd zero = VectorXd::Zero(gap.size());
+  at_limit_ = under_limit_ = zero;
   pressure_ = {state.p, zero, {}};
   unit_ = {state.unit.size() == gap.size() ? state.unit : zero, zero, {}};
 }
 
+/// The pressure of the elements at its limit is known, and so is what it displaces.
+void ActiveSet::take_limited(bool direct) {
+  limited_ = std::ranges::find(state_.sides, NormalSide::at_limit) != state_.sides.end();
+  if (!limited_ && !at_limit_.any())
+    return;
+  for (Eigen::Index i = 0; i < at_limit_.size(); ++i)
+    at_limit_[i] = state_.sides[i] == NormalSide::at_limit ? system_.limit : 0.0;
+  under_limit_ = direct ? system_.apply_directly(at_limit_, work_) : system_.apply(at_limit_, work_);
+}
+
 /// Solves for the pressure at the present approach and, by force, for the unit response.
 bool ActiveSet::solve_linear(const std::vector<int>& list) {
-  const VectorXd rhs = state_.approach * system_.cosine - gap_;
+  const VectorXd rhs = state_.approach * system_.cosine - gap_ - under_limit_;
   if (!is_direct(list)) {
     // The unit response corrects a force that is nearly right, and need not be precise at first.
     return conjugate_gradients(system_, list, rhs, precision_ * largest_on(list, rhs), work_, pressure_) &&
@@ -133,8 +145,8 @@ bool ActiveSet::solve_linear(const std::vector<int>& list) {
 double ActiveSet::balance_force(bool direct) {
   if (!by_force_)
     return 0;
-  const double more =
-      (load_.force / system_.element_area - system_.cosine.dot(pressure_.p)) / system_.cosine.dot(unit_.p);
+  const double more = (load_.force / system_.element_area - system_.cosine.dot(pressure_.p + at_limit_)) /
+                      system_.cosine.dot(unit_.p);
   state_.approach += more;
   pressure_.p += more * unit_.p;
   if (direct)
@@ -143,8 +155,9 @@ double ActiveSet::balance_force(bool direct) {
   return std::abs(more) * std::sqrt(precision_);
 }
 
-/// Elements with tension leave the contact, and elements with penetration enter it. The residual of the
-/// conjugate gradients and rounding must not change a set. Returns how many elements changed.
+/// Elements with tension leave the contact, and elements with penetration enter it. Those with more than the
+/// limit of the pressure get that, and those at the limit that are apart no longer have it. The residual of
+/// the conjugate gradients and rounding must not change a set. Returns how many elements changed.
 int ActiveSet::change_sides(const Boxes& where, double largest_u) {
   const double least_p = -std::max(precision_, rounding_of_sets) * state_.p.cwiseAbs().maxCoeff();
   const double least_e = -std::max(precision_, rounding_of_sets) * largest_u;
@@ -153,13 +166,19 @@ int ActiveSet::change_sides(const Boxes& where, double largest_u) {
     for (int is = box.first_s; is < box.first_s + box.ms; ++is)
       for (int ix = box.first_x; ix < box.first_x + box.mx; ++ix) {
         const int i = is * system_.grid.mx + ix;
-        const bool wrong = state_.active[i]
-                               ? state_.p[i] < least_p
-                               : gap_[i] - state_.approach * system_.cosine[i] + pressure_.u[i] < least_e;
-        if (wrong) {
-          state_.active[i] = !state_.active[i];
-          ++changes;
+        NormalSide side = state_.sides[i];
+        if (side == NormalSide::touching) {
+          if (state_.p[i] < least_p)
+            side = NormalSide::apart;
+          else if (state_.p[i] > system_.limit - least_p)
+            side = NormalSide::at_limit;
+        } else {
+          const double e = gap_[i] - state_.approach * system_.cosine[i] + pressure_.u[i];
+          if (side == NormalSide::apart ? e < least_e : e > -least_e)
+            side = NormalSide::touching;
         }
+        changes += side != state_.sides[i];
+        state_.sides[i] = side;
       }
   return changes;
 }
@@ -177,13 +196,14 @@ bool ActiveSet::progresses(int changes) {
 
 bool ActiveSet::run() {
   for (int step = 0; step < options_.max_normal; ++step) {
-    const std::vector<int> list = indices_of(state_.active);
+    const std::vector<int> list = touching_of(state_.sides);
     ++state_.iterations;
     if (list.empty() && by_force_)
       break;
     const bool direct = is_direct(list);
     if (direct)
       precision_ = wanted_;
+    take_limited(direct);
     const int products = pressure_.products + unit_.products;
     const bool solved = solve_linear(list);
     state_.products += pressure_.products + unit_.products - products;
@@ -192,12 +212,14 @@ bool ActiveSet::run() {
       return false;
     }
     const double off = balance_force(direct);
-    state_.p = pressure_.p;
+    state_.p = pressure_.p + at_limit_;
     state_.unit = unit_.p;
     if (direct)
       pressure_.u = system_.apply_directly(state_.p, work_);
-    const double largest_u = largest_on(list, pressure_.u);
-    int changes = change_sides(direct ? whole_ : pressure_.known, largest_u);
+    else if (limited_)
+      pressure_.u = system_.apply(state_.p, work_);
+    const double largest_u = limited_ ? pressure_.u.cwiseAbs().maxCoeff() : largest_on(list, pressure_.u);
+    int changes = change_sides(direct || limited_ ? whole_ : pressure_.known, largest_u);
     const bool precise = precision_ <= wanted_ && off <= precision_ * largest_u;
     if (changes == 0 && precise && !direct) { // all is well in the boxes; and outside?
       pressure_.u = system_.apply(state_.p, work_);

@@ -13,12 +13,12 @@ namespace {
 using Eigen::VectorXd;
 
 /// The iterate and its gradient A p - b, split into the free part (where p > 0) and the chopped part (where
-/// p = 0 and the gradient asks for pressure).
+/// p = 0 and the gradient asks for pressure, or p is at its limit and the gradient asks for less).
 class Iterate {
 public:
   Iterate(const NormalSystem& system, const VectorXd& b, WorkBudget& work, VectorXd& p)
       : system_(system), b_(b), work_(work), p_(p), free(b.size()), chopped(b.size()) {
-    p_ = p_.cwiseMax(0.0);
+    p_ = p_.cwiseMax(0.0).cwiseMin(system_.limit);
     evaluate();
   }
   /// g = A p - b anew.
@@ -37,25 +37,32 @@ public:
   bool proportional(double fixed_step) const {
     double reduced = 0;
     for (Eigen::Index i = 0; i < p_.size(); ++i)
-      if (p_[i] > 0)
-        reduced += free[i] * std::min(p_[i] / fixed_step, free[i]);
+      if (is_free(i)) {
+        const double room = (free[i] > 0 ? p_[i] : system_.limit - p_[i]) / fixed_step;
+        reduced += std::abs(free[i]) * std::min(room, std::abs(free[i]));
+      }
     return chopped.squaredNorm() <= reduced;
   }
-  /// The longest step along -d that keeps p >= 0.
+  /// The longest step along -d that keeps p within its bounds.
   double feasible_step(const VectorXd& d) const {
     double feasible = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < p_.size(); ++i)
       if (d[i] > 0)
         feasible = std::min(feasible, p_[i] / d[i]);
+      else if (d[i] < 0)
+        feasible = std::min(feasible, (p_[i] - system_.limit) / d[i]);
     return feasible;
   }
-  void project_step(double fixed_step) { p_ = (p_ - fixed_step * free).cwiseMax(0.0); }
+  void project_step(double fixed_step) {
+    p_ = (p_ - fixed_step * free).cwiseMax(0.0).cwiseMin(system_.limit);
+  }
 
 private:
+  bool is_free(Eigen::Index i) const { return p_[i] > 0 && p_[i] < system_.limit; }
   void split() {
     for (Eigen::Index i = 0; i < p_.size(); ++i) {
-      free[i] = p_[i] > 0 ? g[i] : 0.0;
-      chopped[i] = p_[i] > 0 ? 0.0 : std::min(g[i], 0.0);
+      free[i] = is_free(i) ? g[i] : 0.0;
+      chopped[i] = is_free(i) ? 0.0 : p_[i] > 0 ? std::max(g[i], 0.0) : std::min(g[i], 0.0);
     }
   }
   const NormalSystem& system_;
@@ -90,12 +97,12 @@ MprgpOutcome solve_mprgp(const NormalSystem& system, const VectorXd& b, double t
     if (!(curvature > 0))
       break;
     const double step = at.g.dot(direction) / curvature;
+    const double feasible = at.feasible_step(direction);
     if (!proportional) {
-      at.move(step, direction, a);
+      at.move(std::min(step, feasible), direction, a);
       d = at.free;
       continue;
     }
-    const double feasible = at.feasible_step(direction);
     if (step <= feasible) {
       at.move(step, direction, a);
       d = at.free - (at.free.dot(a) / curvature) * d;

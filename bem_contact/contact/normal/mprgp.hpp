@@ -11,9 +11,9 @@ struct MprgpOutcome {
   bool converged = false;
 };
 
-/// min 1/2 p'A p - b'p over p >= 0 by MPRGP (Dostal, Schoeberl 2005), which converges for every positive
-/// definite A. Starts from p. Stops when the projected gradient is at most tolerance * max |b| everywhere, or
-/// after `most` products.
+/// min 1/2 p'A p - b'p over 0 <= p <= system.limit by MPRGP (Dostal, Schoeberl 2005), which converges for
+/// every positive definite A. Starts from p. Stops when the projected gradient is at most tolerance * max |b|
+/// everywhere, or after `most` products.
 MprgpOutcome solve_mprgp(const NormalSystem& system, const Eigen::VectorXd& b, double tolerance, int most,
                          WorkBudget& work, Eigen::VectorXd& p);
 

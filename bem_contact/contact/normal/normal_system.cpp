@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bem_contact::contact {
 
@@ -9,11 +10,23 @@ using Eigen::VectorXd;
 
 NormalSystem::NormalSystem(const ContactProblem& problem, NormalOperators& operators)
     : grid(problem.grid), numbers(&problem.numbers), cosine(problem.grid.size()),
-      element_area(problem.element_area()), operators_(&operators) {
+      element_area(problem.element_area()),
+      limit(problem.limit_pressure.value_or(std::numeric_limits<double>::infinity())),
+      operators_(&operators) {
   for (int is = 0; is < grid.ms; ++is) {
     cosine.segment(is * grid.mx, grid.mx).setConstant(std::cos(problem.rows[is].delta));
     self = std::max(self, numbers->at(0, is, component_n, is, component_n));
   }
+}
+
+void NormalState::set_sides(double limit) {
+  sides.resize(p.size());
+  for (Eigen::Index i = 0; i < p.size(); ++i)
+    sides[i] = p[i] >= limit ? NormalSide::at_limit : p[i] > 0 ? NormalSide::touching : NormalSide::apart;
+}
+
+bool NormalState::in_contact() const {
+  return std::ranges::any_of(sides, [](NormalSide side) { return side != NormalSide::apart; });
 }
 
 VectorXd NormalSystem::apply(const VectorXd& p, WorkBudget& work) const {

@@ -31,6 +31,7 @@ public:
   Eigen::VectorXd cosine;  ///< cos(delta) of each element
   double element_area = 0; ///< mm^2
   double self = 0;         ///< largest self influence number, mm/MPa
+  double limit;            ///< of the pressure, MPa; infinite where there is none
 
 private:
   NormalOperators* operators_;
@@ -42,16 +43,23 @@ struct NormalLoad {
   double force = 0;    ///< sum p_n cos(delta) dS, N
 };
 
+/// What an element may be: apart (p = 0), touching, or in contact at the limit of the pressure.
+enum class NormalSide : char { apart, touching, at_limit };
+
 struct NormalState {
   Eigen::VectorXd p; ///< MPa; zero outside the contact
   Eigen::VectorXd u; ///< (A p)_n, mm
   double approach = 0;
   Eigen::VectorXd unit; ///< MPa/mm: by how much p grows with the approach; a start of the next solution
-  std::vector<char> active;
+  std::vector<NormalSide> sides;
   int iterations = 0;
   int products = 0; ///< of conjugate gradients
   bool converged = false;
   std::string solver, remark;
+
+  /// Sets the sides that the pressure shows.
+  void set_sides(double limit);
+  bool in_contact() const; ///< some element is
 };
 
 } // namespace bem_contact::contact

@@ -24,7 +24,7 @@ constexpr int most_approach_steps = 100;
 
 /// The result where the pressure has nothing to carry.
 void carry_nothing(const NormalLoad& load, Eigen::Index n, NormalState& state) {
-  state.active.assign(n, 0);
+  state.sides.assign(n, NormalSide::apart);
   state.p.setZero(n);
   state.u.setZero(n);
   state.solver = "none";
@@ -32,6 +32,24 @@ void carry_nothing(const NormalLoad& load, Eigen::Index n, NormalState& state) {
   state.approach = 0;
   if (load.force < 0)
     state.remark = "the shear tractions alone carry more than the force prescribed";
+}
+
+/// N, by the limit of the pressure on all of the grid.
+double most_borne(const NormalSystem& system) {
+  return system.limit * system.cosine.cwiseMax(0.0).sum() * system.element_area;
+}
+
+/// The result where the grid is too small to bear the force: the limit of the pressure everywhere.
+void carry_too_little(const NormalSystem& system, NormalState& state, WorkBudget& work) {
+  state.p.setConstant(system.cosine.size(), system.limit);
+  state.u = system.apply(state.p, work);
+  state.set_sides(system.limit);
+  state.solver = "none";
+  state.converged = false;
+  state.approach = 0;
+  state.remark =
+      "the limit of the pressure bears less on the whole grid than the force prescribed: give a larger "
+      "grid";
 }
 
 /// The lowest approach at which an element touches.
@@ -96,6 +114,8 @@ void solve_normal(const NormalSystem& system, const VectorXd& gap, const NormalL
                   const SolverOptions& options, WorkBudget& work, NormalState& state) {
   if (load.kind == LoadKind::force && load.force <= 0)
     return carry_nothing(load, gap.size(), state);
+  if (load.kind == LoadKind::force && load.force > most_borne(system))
+    return carry_too_little(system, state, work);
   state.solver = "active set";
   ActiveSet active_set(system, gap, load, options, work, state);
   state.converged = active_set.run();
@@ -104,9 +124,8 @@ void solve_normal(const NormalSystem& system, const VectorXd& gap, const NormalL
     solve_normal_safely(system, gap, load, options, work, state);
     state.u = system.apply(state.p, work);
   }
-  state.p = state.p.cwiseMax(0.0);
-  for (Eigen::Index i = 0; i < gap.size(); ++i)
-    state.active[i] = state.p[i] > 0;
+  state.p = state.p.cwiseMax(0.0).cwiseMin(system.limit);
+  state.set_sides(system.limit);
 }
 
 } // namespace bem_contact::contact

@@ -7,10 +7,10 @@
 
 namespace bem_contact::contact {
 
-/// min 1/2 p'A p + (gap - q cos)'p over p >= 0; q is given, or it is the multiplier of the force balance.
-/// `gap` contains all displacements but those of p_n.
+/// min 1/2 p'A p + (gap - q cos)'p over 0 <= p <= system.limit; q is given, or it is the multiplier of the
+/// force balance. `gap` contains all displacements but those of p_n.
 ///
-/// The active set method (active_set.hpp) solves it, starting from state.active, state.p and state.approach
+/// The active set method (active_set.hpp) solves it, starting from state.sides, state.p and state.approach
 /// if something is active. If its sets cycle, MPRGP solves it (solve_normal_safely).
 void solve_normal(const NormalSystem& system, const Eigen::VectorXd& gap, const NormalLoad& load,
                   const SolverOptions& options, WorkBudget& work, NormalState& state);

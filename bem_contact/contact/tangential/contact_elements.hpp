@@ -19,6 +19,7 @@ struct ContactElements {
   void write(const Eigen::VectorXd& v, Eigen::VectorXd& field) const; ///< leaves the rest as it is
 
   const std::vector<int>& contact; ///< of the task
+  const PlasticSlip* layer;        ///< of the task
   int grid_size;
   Eigen::VectorXd stiffness, bound; ///< one value an element
 };

@@ -26,7 +26,12 @@ CreepageForces::CreepageForces(const TangentialSystem& system, const SolverOptio
   for (int i = 0; i < system.size(); ++i)
     share_[i] = problem.lateral_share(i / problem.grid.mx);
   for (const int i : task.contact)
-    capacity_ += task.bound[i] * problem.element_area();
+    capacity_ += most_borne(i) * problem.element_area();
+}
+
+double CreepageForces::most_borne(int i) const {
+  const std::optional<YieldLimit>& yield = system_.problem->yield;
+  return yield && yield->hardening < 0 ? std::min(given_.bound[i], yield->shear) : given_.bound[i];
 }
 
 Vector2d CreepageForces::at(const Vector2d& creepage) {
@@ -75,7 +80,7 @@ double CreepageForces::demand(const Vector2d& force) const {
   const int mx = system_.columns();
   VectorXd bounds = VectorXd::Zero(system_.size() / mx);
   for (const int i : given_.contact)
-    bounds[i / mx] += given_.bound[i] * system_.problem->element_area();
+    bounds[i / mx] += most_borne(i) * system_.problem->element_area();
   double largest = 0;
   for (int k = 0; k <= capacity_directions; ++k) {
     Vector2d d = force.normalized();

@@ -54,6 +54,9 @@ public:
   double unit() const;
 
 private:
+  /// The largest bound that an element may have: of a layer that softens, that before it does, MPa.
+  double most_borne(int i) const;
+
   const TangentialSystem& system_;
   const SolverOptions& options_;
   WorkBudget& work_;

@@ -35,13 +35,20 @@ std::vector<NewtonElement> newton_elements(const Linearisation& at, const Vector
   return out;
 }
 
-void newton_image(std::span<const NewtonElement> elements, Eigen::Ref<const Eigen::VectorXf> v,
-                  Eigen::Ref<const Eigen::VectorXf> bv, Eigen::VectorXf& result) {
+void newton_image(std::span<const NewtonElement> elements, const CarriedYield& carried,
+                  Eigen::Ref<const Eigen::VectorXf> v, Eigen::Ref<const Eigen::VectorXf> bv,
+                  Eigen::VectorXf& result) {
   for (std::size_t a = 0; a < elements.size(); ++a) {
     const NewtonElement& e = elements[a];
     const Eigen::Vector2f here = v.segment<2>(2 * a);
     result.segment<2>(2 * a) = here - e.projection * (here - e.stiffness * bv.segment<2>(2 * a));
   }
+  if (carried.elements.empty())
+    return;
+  Eigen::VectorXf z = v;
+  for (std::size_t a = 0; a < elements.size(); ++a)
+    z.segment<2>(2 * a) -= elements[a].stiffness * bv.segment<2>(2 * a);
+  carried.add(z, -1.0f, result);
 }
 
 } // namespace bem_contact::contact

@@ -1,6 +1,7 @@
 #include "bem_contact/contact/tangential/newton.hpp"
 
 #include "bem_contact/base/counted.hpp"
+#include "bem_contact/contact/tangential/hardening.hpp"
 #include "bem_contact/contact/tangential/newton_matrix.hpp"
 #include "bem_contact/contact/tangential/row_sweeps.hpp"
 #include "bem_contact/contact/tangential/settings.hpp"
@@ -70,7 +71,8 @@ private:
     return point(std::move(p), std::move(slip), std::move(creepages));
   }
   Point point(VectorXd p, VectorXd slip, VectorXd creepages) const {
-    Linearisation linearisation = linearise(elements_.stiffness, elements_.bound, p, slip);
+    Linearisation linearisation = elements_.layer ? linearise_hardening(elements_, system_.columns(), p, slip)
+                                                  : linearise(elements_.stiffness, elements_.bound, p, slip);
     const double spread = system_.problem->element_area() * std::sqrt(double(elements_.contact.size()));
     const double residual = std::hypot(linearisation.residual.norm(), missing(p).norm() / spread);
     return {std::move(p), std::move(slip), std::move(creepages), std::move(linearisation), residual};
@@ -118,6 +120,13 @@ Border Newton::border() const {
   for (std::size_t a = 0; a < elements_.contact.size(); ++a)
     border.columns.middleRows<2>(2 * a) =
         -elements_.stiffness[a] * now_.linearisation.projection[a] * slips_.middleRows<2>(2 * a);
+  for (Eigen::Index k = 0; k < slips_.cols() && elements_.layer; ++k) {
+    VectorXd z = slips_.col(k), column = border.columns.col(k);
+    for (std::size_t a = 0; a < elements_.contact.size(); ++a)
+      z.segment<2>(2 * a) *= elements_.stiffness[a];
+    now_.linearisation.carried.add(z, -1.0, column);
+    border.columns.col(k) = column;
+  }
   border.rows = system_.problem->element_area() / system_.rule.length * slips_;
   border.sums = missing(now_.p);
   return border;
@@ -176,7 +185,7 @@ bool Newton::step(double enough, TangentialState& state) {
   if (!step.x.allFinite() || !step.y.allFinite())
     return false;
   failed_searches_ += !search(step, before);
-  if (now_.residual > slow_newton_step * before)
+  if (now_.residual > slow_newton_step * before && !elements_.layer) // sweeps hold the bounds
     help_worst_rows();
   return true;
 }

@@ -66,7 +66,7 @@ BorderedSolution NewtonMatrix::solve_few(const Asked& asked, TangentialOperators
   BorderedSolution step;
   const auto product = [&](const auto& v, auto&& result) { dense_product(few.matrix.fast, v, result); };
   const auto image = [&](const auto& v, const auto& bv, VectorXf& result) {
-    newton_image(elements, v, bv, result);
+    newton_image(elements, asked.at.carried, v, bv, result);
   };
   const auto inverse = [&](const VectorXf& v, auto&& result) { few.factors->solve(elements, v, result); };
   const auto converges = [&](int most) {
@@ -93,7 +93,7 @@ bool NewtonMatrix::solve_on_box(const Asked& asked, TangentialState& state, Bord
   const BoxJacobian jacobian(*box_, local_, elements, *scratch_);
   const auto product = [&](const auto& v, auto&& result) { jacobian.product(v, result); };
   const auto image = [&](const auto& v, const auto& bv, VectorXf& result) {
-    newton_image(elements, v, bv, result);
+    newton_image(elements, asked.at.carried, v, bv, result);
   };
   const auto inverse = [&](const VectorXf& v, auto&& result) { jacobian.precondition(v, result); };
   const bool enough = scratch_->gcr.solve(product, image, inverse, -asked.at.residual, asked.border,

@@ -100,6 +100,20 @@ void roll_on(const TangentialSystem& system, const TangentialTask& task, const S
   }
 }
 
+/// Newton's method for a layer that hardens or softens, from the solution of one that does neither.
+void start_from_held_limit(const TangentialSystem& system, const TangentialTask& task,
+                           const SolverOptions& options, WorkBudget& work, TangentialState& state) {
+  const YieldLimit& limit = task.layer->limit();
+  TangentialTask held = task;
+  held.layer = nullptr;
+  held.bound = task.bound.cwiseMin(limit.shear);
+  state.p.setZero();
+  newton(system, held, options, work, state);
+  newton(system, task, options, work, state);
+  if (!state.converged && limit.hardening < 0)
+    state.remark += "the layer softens, so that there may be more than one solution: let it soften less; ";
+}
+
 } // namespace
 
 void solve_tangential(const TangentialSystem& system, const TangentialTask& task,
@@ -119,6 +133,8 @@ void solve_tangential(const TangentialSystem& system, const TangentialTask& task
   newton(system, task, options, work, state);
   if (state.converged || options.only_newton)
     return;
+  if (task.layer) // the fall-backs hold the bounds
+    return start_from_held_limit(system, task, options, work, state);
 
   state.p = start;
   sweep_elements(system, task, options.tolerance, options.max_sweeps, work, state);

@@ -10,15 +10,11 @@ using Eigen::VectorXd;
 TangentialSystem::TangentialSystem(const ContactProblem& the_problem, TangentialOperators& operators)
     : problem(&the_problem), rule(slip_step(the_problem)), stiffness(the_problem.grid.size()),
       operators_(&operators) {
-  const int mx = problem->grid.mx;
-  const InfluenceNumbers& a = problem->numbers;
-  for (int is = 0; is < problem->grid.ms; ++is) {
-    double mean = 0;
-    for (const int c : {component_x, component_s})
-      for (int k = 0; k <= rolling_columns; ++k)
-        mean += 0.5 * rule.present[k] * a.at(k, is, c, is, c);
-    stiffness.segment(is * mx, mx).setConstant(1 / mean);
-  }
+  const std::vector<double> of_rows = element_stiffness(*problem);
+  for (int is = 0; is < problem->grid.ms; ++is)
+    stiffness.segment(is * columns(), columns()).setConstant(of_rows[is]);
+  if (problem->yield && problem->yield->hardening != 0)
+    hardening.emplace(*problem);
 }
 
 VectorXd TangentialSystem::displacement(const VectorXd& p, WorkBudget& work, int columns) const {
@@ -79,19 +75,38 @@ double largest_slip(const VectorXd& rigid, const std::vector<int>& contact, cons
   return largest;
 }
 
+std::vector<LayerAnswer> layer_answers(const TangentialTask& task, const VectorXd& p, const VectorXd& slip) {
+  const std::size_t n = task.bound.size();
+  return task.layer->answers({.px = {p.data(), n},
+                              .ps = {p.data() + n, n},
+                              .slip_x = {slip.data(), n},
+                              .slip_s = {slip.data() + n, n},
+                              .friction = {task.bound.data(), n}});
+}
+
+VectorXd bounds_of(const TangentialTask& task, const VectorXd& p, const VectorXd& slip) {
+  if (!task.layer)
+    return task.bound;
+  VectorXd out = VectorXd::Zero(task.bound.size());
+  const std::vector<LayerAnswer> answers = layer_answers(task, p, slip);
+  for (const int i : task.contact)
+    out[i] = answers[i].bound;
+  return out;
+}
+
 double coulomb_violation(const TangentialTask& task, const VectorXd& p, const VectorXd& slip) {
   const Eigen::Index n = task.bound.size();
+  const VectorXd bound = bounds_of(task, p, slip);
   const double slip_scale = largest_slip(task.rigid, task.contact, slip, task.slip_floor);
-  const double largest_bound = task.bound.maxCoeff();
+  const double largest_bound = traction_scale(bound.maxCoeff(), task.bound.maxCoeff());
   double worst = 0;
   for (const int i : task.contact) {
     const double s = length(slip[i], slip[n + i]);
-    const double cone = length(p[i], p[n + i]) - task.bound[i];
+    const double cone = length(p[i], p[n + i]) - bound[i];
     worst = std::max(worst, cone / largest_bound);
     if (s <= 0)
       continue;
-    const double direction =
-        length(p[i] - task.bound[i] * slip[i] / s, p[n + i] - task.bound[i] * slip[n + i] / s);
+    const double direction = length(p[i] - bound[i] * slip[i] / s, p[n + i] - bound[i] * slip[n + i] / s);
     worst = std::max(worst, std::min(s / slip_scale, direction / largest_bound));
   }
   return worst;

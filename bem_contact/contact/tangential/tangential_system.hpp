@@ -1,10 +1,12 @@
 #pragma once
 
+#include "bem_contact/contact/plastic_slip.hpp"
 #include "bem_contact/contact/slip_step.hpp"
 #include "bem_contact/contact/tangential/tangential_operators.hpp"
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +31,8 @@ public:
 
   const ContactProblem* problem;
   SlipStep rule;
-  Eigen::VectorXd stiffness; ///< 1 / mean of B_xx, B_ss of the element itself, MPa/mm; field of one component
+  Eigen::VectorXd stiffness;            ///< element_stiffness() of its row, MPa/mm; field of one component
+  std::optional<PlasticSlip> hardening; ///< of a layer that hardens or softens
 
 private:
   TangentialOperators* operators_;
@@ -37,11 +40,13 @@ private:
 
 /// Friction for given p_n: |p_t| <= bound; S = drive - B_tt p; an element sticks, or slips along S.
 struct TangentialTask {
-  Eigen::VectorXd bound;    ///< mu p_n, MPa; field
+  Eigen::VectorXd bound;    ///< mu p_n, or less that the layer bears unless it hardens, MPa; field
   Eigen::VectorXd rigid;    ///< w of the step, mm
   Eigen::VectorXd drive;    ///< rigid - (B p_n)_t + what former tractions left, mm
   std::vector<int> contact; ///< elements with p_n > 0
   double slip_floor = 0;    ///< mm: slip below this is rounding
+  /// Of a layer that hardens or softens, if it may yield: it bears less than `bound`. Null: it does not.
+  const PlasticSlip* layer = nullptr;
 };
 
 struct TangentialState {
@@ -62,6 +67,12 @@ struct TangentialState {
 /// The largest rigid slip w or elastic slip S - w of the elements in contact, and at least `floor`; mm.
 double largest_slip(const Eigen::VectorXd& rigid, const std::vector<int>& contact,
                     const Eigen::VectorXd& slip, double floor);
+
+/// The answers of task.layer to these tractions and slips; field.
+std::vector<LayerAnswer> layer_answers(const TangentialTask& task, const Eigen::VectorXd& p,
+                                       const Eigen::VectorXd& slip);
+/// The bounds on |p_t| in this solution, of friction and layer, MPa; field.
+Eigen::VectorXd bounds_of(const TangentialTask& task, const Eigen::VectorXd& p, const Eigen::VectorXd& slip);
 
 /// The largest violation of Coulomb's law: of the cone, and of the nearer of adhesion (|S| over the largest
 /// slip) and slip (p_t against mu p_n S/|S|, over mu pmax).

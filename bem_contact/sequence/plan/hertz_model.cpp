@@ -209,7 +209,10 @@ std::optional<HertzModel> fit_hertz(const ContactProblem& problem, const Materia
 std::optional<HertzModel> hertz_of(const ContactSetup& setup, const ContactProblem& problem) {
   if (problem.tangential || problem.plane_strain() || setup.layer.normal > 0)
     return std::nullopt;
-  return fit_hertz(problem, setup.rail.material, setup.wheel.material);
+  std::optional<HertzModel> model = fit_hertz(problem, setup.rail.material, setup.wheel.material);
+  if (model && problem.limit_pressure && model->contact.max_pressure > *problem.limit_pressure)
+    return std::nullopt;
+  return model;
 }
 
 ContactResult solve_hertz(const ContactProblem& problem, const HertzModel& model) {

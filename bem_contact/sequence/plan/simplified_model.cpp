@@ -65,14 +65,26 @@ PatchFields fields_of(const ContactProblem& problem, const SimplifiedPatch& patc
   return out;
 }
 
+/// mu over mu(0) of an element at a slip velocity, mm/s. With memory it comes from what it was `ahead`, a
+/// step (mm) before.
+double slip_factor(const ContactProblem& problem, int row, double ahead, double step, double velocity) {
+  const double law = problem.falling_factor(row, velocity);
+  return problem.memory
+             ? law + (ahead - law) * std::exp(-problem.memory->rate(velocity) * step / problem.speed)
+             : law;
+}
+
 /// The share of an element's traction `size` that slip takes off, so that the bound of its friction is left.
-/// `velocity`: mm/s, at which it would slip if all were taken off.
-double share_beyond(const ContactProblem& problem, int row, double size, double bound, double velocity) {
-  double share = 1 - bound / size;
+/// `velocity`: mm/s, at which it would slip if all were taken off. `factor`: mu over mu(0) at a slip
+/// velocity.
+template <class Factor>
+double share_beyond(const ContactProblem& problem, const Factor& factor, double size, double bound,
+                    double velocity) {
+  double share = 1 - bound * factor(0.0) / size;
   if (!problem.friction_falls())
     return share;
   // Friction falls most steeply without slip.
-  const double slope = (1 - problem.falling_factor(row, small_velocity)) / small_velocity;
+  const double slope = (factor(0.0) - factor(small_velocity)) / small_velocity;
   if (bound / size * slope * velocity > steepest_fall)
     throw InputError(
         "The elements are too small for friction that falls with slip by the simplified theory",
@@ -80,11 +92,36 @@ double share_beyond(const ContactProblem& problem, int row, double size, double 
                     problem.grid.dx),
         "Give larger elements along x, or choose another model.");
   for (int step = 0; step < most_slip_steps; ++step) {
-    const double next = 1 - bound * problem.falling_factor(row, share * velocity) / size;
+    const double next = 1 - bound * factor(share * velocity) / size;
     if (std::abs(next - share) < slip_precision)
       return next;
     share = next;
   }
+  return share;
+}
+
+/// What a layer with this plastic slip bears, MPa.
+double borne(const YieldLimit& limit, double plastic) {
+  return std::max(0.0, limit.shear + limit.hardening * plastic);
+}
+
+/// The same share where the layer yields, up to what friction bears. `bound`: of the layer and of friction,
+/// MPa; `slip`: mm, if all were taken off. Adds what is plastic of it to `plastic`.
+double share_yielding(const YieldLimit& limit, double size, const std::pair<double, double>& bound,
+                      double slip, double& plastic) {
+  const double stiffness = size + limit.hardening * slip; // times the share
+  if (!(stiffness > 0))
+    throw InputError(
+        "The layer softens so steeply that its slip has more than one solution by the simplified theory",
+        fmt::format("it loses {:g} MPa per mm of plastic slip, more than the bodies give way",
+                    -limit.hardening),
+        "Give a hardening nearer to 0.");
+  const double most = 1 - bound.second / size, share = std::min((size - bound.first) / stiffness, 1.0);
+  if (share <= most) { // friction bears no more
+    plastic += (bound.second - bound.first) / limit.hardening;
+    return most;
+  }
+  plastic += share * slip;
   return share;
 }
 
@@ -94,28 +131,41 @@ void roll_through(const ContactProblem& problem, const SimplifiedPatch& patch,
                   ContactResult& result) {
   const int mx = problem.grid.mx;
   double px = 0, ps = 0, before = 0; // the last place
+  double plastic = 0;                // slip of a layer that yields, mm
+  double remembered = 1;             // mu over mu(0) there
   for (std::size_t k = 0; k < elements.size(); ++k) {
     const int i = elements[k];
     const double s = problem.rows[i / mx].s - patch.s, x = problem.grid.x(i % mx) - patch.x;
     if (k == 0 || elements[k - 1] / mx != i / mx) { // a row begins at its leading edge
-      px = ps = 0;
+      px = ps = plastic = 0;
+      remembered = 1;
       before = patch.semi_axis_x * std::sqrt(1 - std::pow(s / patch.semi_axis_s, 2));
     }
     const double step = before - x, middle = 0.5 * (before + x);
     px += step * (creepage.xi / patch.of_xi - creepage.phi * s / patch.of_phi);
     ps += step * (creepage.eta / patch.of_eta + creepage.phi * middle / patch.of_phi);
     before = x;
-    const double size = std::hypot(px, ps), bound = fields.bound[k];
+    const auto factor = [&](double velocity) {
+      return slip_factor(problem, i / mx, remembered, step, velocity);
+    };
+    const double size = std::hypot(px, ps), friction = fields.bound[k], at_rest = friction * factor(0.0);
+    const bool yields = problem.yield && borne(*problem.yield, plastic) < at_rest;
+    const double bound = yields ? borne(*problem.yield, plastic) : at_rest;
     result.state[i] = size > bound ? ElementState::slip : ElementState::adhesion;
     if (size > bound) {
-      const double slip_x = px * patch.of_xi / step, slip_s = ps * patch.of_eta / step;
+      const double slip_x = px * patch.of_xi / step, slip_s = ps * patch.of_eta / step,
+                   slip = std::hypot(slip_x, slip_s);
       const double beyond =
-          share_beyond(problem, i / mx, size, bound, problem.speed * std::hypot(slip_x, slip_s));
+          yields ? share_yielding(*problem.yield, size, {bound, friction}, slip * step, plastic)
+                 : share_beyond(problem, factor, size, friction, problem.speed * slip);
       result.slip_x[i] = beyond * slip_x;
       result.slip_s[i] = beyond * slip_s;
       px *= 1 - beyond;
       ps *= 1 - beyond;
     }
+    remembered = factor(problem.speed * std::hypot(result.slip_x[i], result.slip_s[i]));
+    if (!result.plastic.empty())
+      result.plastic[i] = plastic;
     result.pn[i] = fields.pressure[k];
     result.px[i] = px;
     result.ps[i] = ps;
@@ -166,6 +216,8 @@ ContactResult solved_with(const ContactProblem& problem, const std::vector<Simpl
   ContactResult result = empty_result(problem);
   result.totals.creepage_x = {creepage_x};
   result.totals.creepage_s = {creepage_s};
+  if (problem.yield)
+    result.plastic.assign(problem.grid.size(), 0.0);
   for (std::size_t k = 0; k < patches.size(); ++k) {
     PatchCreepage creepage = loaded[k].creepage;
     creepage.xi += creepage_x;
@@ -240,6 +292,12 @@ void require_elements(const SimplifiedPatch& patch, const std::vector<int>& elem
 ContactResult solve_simplified(const ContactSetup& setup, const ContactProblem& problem) {
   require_served(setup, problem);
   std::vector<SimplifiedPatch> patches = simplified_patches(setup, problem);
+  for (const SimplifiedPatch& patch : patches)
+    if (problem.limit_pressure && patch.pressure > *problem.limit_pressure)
+      throw InputError("The simplified theory does not fit this contact",
+                       fmt::format("its ellipse has {:.4g} MPa, and the limit of the pressure is {:.4g} MPa",
+                                   patch.pressure, *problem.limit_pressure),
+                       "Choose another model.");
   const std::vector<std::vector<int>> elements = elements_of_patches(problem, patches);
   for (std::size_t k = 0; k < patches.size(); ++k)
     require_elements(patches[k], elements[k]);

@@ -4,10 +4,13 @@
 #include "bem_contact/contact/layer.hpp"
 #include "bem_contact/contact/shear_sensitivity.hpp"
 #include "bem_contact/contact/solve.hpp"
+#include "bem_contact/reference/creep_coefficients.hpp"
 
 #include <boost/math/tools/toms748_solve.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace bem_contact {
@@ -19,6 +22,9 @@ constexpr double slope_precision = 1e-9;
 /// 1. Slopes that are tried at most: three or four are the rule, because one over the slope is nearly linear
 /// in the compliance.
 constexpr int most_slopes = 40;
+
+/// 1. Ratios of the semi-axes for which there are creep coefficients (reference/creep_coefficients.hpp).
+constexpr double flattest_ellipse = 0.1, longest_ellipse = 10;
 
 /// sum over rows of (2 a)^2 / 2 ds, mm^3: the slope times the compliance where the bodies are rigid. Every
 /// row of a contact is taken as one length.
@@ -51,6 +57,8 @@ double compliance_of_slope(const ContactProblem& problem, double share, const So
   clean.kinetic = 1; // nothing slips
   clean.falling.clear();
   clean.heating.reset();
+  clean.yield.reset();
+  clean.memory.reset();
   clean.tangential = false;
   SolverOptions options = given;
   options.estimate_discretisation = options.displacements = false;
@@ -80,6 +88,19 @@ double compliance_of_slope(const ContactProblem& problem, double share, const So
       excess, lo, hi, at_lo, at_hi, [](double from, double to) { return to - from <= slope_precision * to; },
       calls);
   return 0.5 * (a + b);
+}
+
+double estimated_slope(const ContactSetup& setup, const SurfaceLayer& layer, const ContactProblem& problem,
+                       const ContactResult& result) {
+  if (result.patches.empty() || problem.plane_strain())
+    return std::numeric_limits<double>::quiet_NaN();
+  const PatchSummary& patch = result.patches.front();
+  const Material &rail = setup.rail.material, &wheel = setup.wheel.material;
+  const double compliance = layer.shear_of(static_cast<int>(std::lround(row_index(problem, patch.s)))),
+               a = patch.semi_axis_a,
+               ratio = std::clamp(a / patch.semi_axis_b, flattest_ellipse, longest_ellipse);
+  const double c11 = reference::quick_creep_coefficients(ratio, 0.5 * (rail.poisson + wheel.poisson))[0];
+  return 1 / (1 + 3 * c11 * shear_modulus_of_pair(rail, wheel) * compliance / (8 * a));
 }
 
 } // namespace bem_contact

@@ -3,6 +3,7 @@
 #include "bem_contact/contact/problem.hpp"
 #include "bem_contact/contact/solver_options.hpp"
 #include "bem_contact/contact/work.hpp"
+#include "bem_contact/scene/contact_setup.hpp"
 
 namespace bem_contact {
 
@@ -16,5 +17,10 @@ double compliance_of_slope(const ContactProblem& problem, double share, const So
 /// That slope: the change of Fx with the longitudinal creepage where nothing slips, N. `frictionless`: the
 /// pressure on the problem's elements.
 double slope_without_slip(const ContactProblem& problem, const ContactResult& frictionless);
+
+/// The slope of Fx over xi at 0 in the largest patch with this layer, over that without it: 1 / (1 + 3 C11 G
+/// L / (8 a)), slopes in series, within 4 % (theory/contact.md, section 6). nan without contact.
+double estimated_slope(const ContactSetup& setup, const SurfaceLayer& layer, const ContactProblem& problem,
+                       const ContactResult& result);
 
 } // namespace bem_contact

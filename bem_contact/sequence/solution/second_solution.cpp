@@ -108,6 +108,8 @@ std::string second_solution(const ContactProblem& problem, const ContactResult& 
   if (!problem.has_friction() || !problem.friction_varies() || problem.motion != MotionKind::steady ||
       !result.certified())
     return "";
+  if ((problem.force_x || problem.force_s) && problem.memory)
+    return ""; // how fast all slides with it depends on the place
   if (problem.force_x || problem.force_s)
     return larger_creepage(problem, result);
   options.from_sliding = true;

@@ -13,6 +13,7 @@
 #include "bem_contact/sequence/plan/model_choice.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/solution/grow_grid.hpp"
+#include "bem_contact/sequence/solution/layer_slope.hpp"
 #include "bem_contact/sequence/solution/structural_motion.hpp"
 #include "bem_contact/sequence/solution/trim_plan.hpp"
 
@@ -140,6 +141,8 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   out.layer = std::move(solved.contact.layer);
   out.result = std::move(solved.result);
   out.history = std::move(solved.history);
+  if (!out.layer.is_none())
+    out.layer_slope = estimated_slope(asked.setup, out.layer, out.problem, out.result);
   out.warnings = std::move(solved.warnings);
   out.seconds = solved.seconds;
   warn_of_model(out);
