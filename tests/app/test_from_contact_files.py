@@ -147,10 +147,9 @@ class FromContact(Conversion):
         changes = {
             "B = 3": (("203100 ", "233100 "),), "M = 1": (("022020 ", "022120 "), ("POISS, GG\n", "\n 1 1 1 1\n")),
             "M = 3": (("022020 ", "022320 "), ("POISS, GG\n", "\n 1 1 1\n")),
-            "TAU_C0": (("022020 ", "022420 "), ("POISS, GG\n", "\n 8200. 0.05 10. 0.\n")),
             "IPLAN = 2": ((" 1 1      ", " 1 2      "), ("0 0 0        B1..B6", "0 0 0\n 1 0 1 0 0 -9\n")),
             "FSTAT = 0.3 and FKIN = 0.2": (("0.3 0.3 ", "0.3 0.2 "),),
-            "MEMDST": (("022020 ", "422020 "), ("0.3 0.3 ", "0.2 0.1 100. 0 0\n 0.5 1 ")),
+            "MEMDST": (("022020 ", "622020 "), ("0.3 0.3 ", "0.4 0 -0.2 200\n 0.5 1 ")),
             "L = 2": (("022020 ", "222020 "), ("0.3 0.3 ", "0.2 0.1 100. 0 0\n 0 1 ")),
             "R = 3": (("0101111 ", "0101113 "),), "M2": (("022020 ", "022020 2 "), ("POISS, GG\n", "\n 1 0 1 1\n")),
             "DQ = 0.4": (("203100 ", "202100 "), (" 0d 0.2 ", " 0d 0.4 ")),
@@ -162,6 +161,16 @@ class FromContact(Conversion):
                 text = text.replace(old, new)
             with self.subTest(words):
                 self.refused(self.convert_text(text + END)[0], words)
+
+    def test_a_layer_that_yields_and_friction_that_remembers(self):
+        layer = self.changed(BALL, ("022020 ", "022420 "), ("POISS, GG\n", "\n 8200. 0.05 10. -3.\n"))
+        self.assertEqual([layer[f"layer.{k}"] for k in ("shear_modulus", "thickness", "yield_shear", "hardening")], [8200, 0.05, 10, -3])
+        rigid = self.changed(BALL, ("022020 ", "022420 "), ("POISS, GG\n", "\n 8200. 0. 10. 0.\n"))
+        self.assertEqual([key for key in sorted(rigid) if key.startswith("layer.")], ["layer.hardening", "layer.yield_shear"])
+        elastic = self.changed(BALL, ("022020 ", "022420 "), ("POISS, GG\n", "\n 8200. 0.05 1e11 0.\n"))
+        self.assertNotIn("layer.yield_shear", elastic)
+        memory = self.changed(BALL, ("022020 ", "422020 "), ("0.3 0.3 ", "0.2 0.1 100. 0 0\n 0.003 2 "))
+        self.assertEqual((memory["motion.friction_memory"], memory["motion.memory_velocity"]), (0.003, 2))
 
     def test_a_number_in_the_place_of_a_remark_is_said(self):
         entry = self.convert_text(BALL.replace("0.3 0.3   ", "0.3 0.3 7 ") + END)[0]

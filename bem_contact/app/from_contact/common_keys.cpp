@@ -67,12 +67,15 @@ void add_bodies(const CaseState& state, ContactCase& out) {
     return;
   constexpr double never_yields = 1e10; // MPa; from here on CONTACT takes none
   const Block& layer = state[Data::layer];
-  if (layer["TAU_C0"] != 0 && layer["TAU_C0"] < never_yields)
-    out.refuse(
-        fmt::format("M = 4 with TAU_C0 = {}: a layer that yields; here layers are elastic", layer["TAU_C0"]));
-  if (state.digits['T'] != 0 && layer["LAYTHK"] != 0) { // without thickness it has no compliance
+  if (state.digits['T'] == 0)
+    return;
+  if (layer["LAYTHK"] != 0) { // without thickness it has no compliance
     out.set("layer.shear_modulus", layer["GG3"]);
     out.set("layer.thickness", layer["LAYTHK"]);
+  }
+  if (layer["TAU_C0"] != 0 && layer["TAU_C0"] < never_yields) {
+    out.set("layer.yield_shear", layer["TAU_C0"]);
+    out.set("layer.hardening", layer["K_TAU"]);
   }
 }
 
@@ -102,6 +105,10 @@ void add_exponential(const Block& f, std::size_t row, std::size_t at, ContactCas
     return out.refuse("L = 4 with FKIN = 0: friction that falls to nothing");
   out.set("motion.falling_friction", kinetic);
   out.set("motion.half_slip_velocity", f.at(row, first != 0 ? at + 2 : at + 4));
+  if (f["MEMDST"] > 0) {
+    out.set("motion.friction_memory", f["MEMDST"]);
+    out.set("motion.memory_velocity", f["MEM_S0"]);
+  }
 }
 
 /// L = 6: FREF up to TREF, FREF + DFHEAT from TREF + DTHEAT on.
@@ -134,10 +141,10 @@ void refuse_friction(const CaseState& state, std::size_t row, ContactCase& out) 
   if (law == 2 || law == 3)
     out.refuse(fmt::format("L = {}: friction that falls by a {} law; here it falls exponentially", law,
                            law == 2 ? "linear" : "rational"));
-  if (f["MEMDST"] > 0)
-    out.refuse(
-        fmt::format("L = {} with MEMDST = {}: friction that remembers; here it follows the slip at once", law,
-                    f["MEMDST"]));
+  if (f["MEMDST"] > 0 && (law != 4 || state.digits['T'] != 3))
+    out.refuse(fmt::format("L = {} with MEMDST = {}: here friction remembers in steady rolling, where it "
+                           "falls with the slip velocity",
+                           law, f["MEMDST"]));
 }
 
 } // namespace
