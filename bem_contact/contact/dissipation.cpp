@@ -57,16 +57,13 @@ double shear_drive(const ContactProblem& problem, const ContactResult& result, i
 }
 
 /// p_n d(h - e)/dx: where surfaces touch and beside them, h - e is the normal displacement. The difference is
-/// the part of rolling_step in which no wave loses energy. Beyond the grid a parabola goes on: the power must
-/// not depend on how many columns lie beside the contact.
+/// the part of rolling_step in which no wave loses energy.
 double pressure_drive(const ContactProblem& problem, const ContactResult& result, int i) {
-  const int ix = i % problem.grid.mx, last = problem.grid.mx - 1;
-  if (ix < 1 || ix >= last) // the contact reaches the edge of the grid
+  const int ix = i % problem.grid.mx;
+  if (ix < 2 || ix + 2 >= problem.grid.mx)
     return 0;
   const auto h = [&](int k) { return problem.gap[i + k] - result.deformed_distance[i + k]; };
-  const auto beyond = [&](int side) { return 3 * h(side) - 3 * h(0) + h(-side); };
-  const double ahead = ix + 1 < last ? h(2) : beyond(1), behind = ix > 1 ? h(-2) : beyond(-1);
-  return result.pn[i] * (h(1) - h(-1) - 0.25 * (ahead - behind)) / problem.grid.dx;
+  return result.pn[i] * (h(1) - h(-1) - 0.25 * (h(2) - h(-2))) / problem.grid.dx;
 }
 
 std::vector<double> dissipated_in_slip(const ContactResult& result) {

@@ -129,11 +129,11 @@ struct Discretisation {
   /// Error of the moment of p_t about the centre of pressure, over sum mu p_n r dS, r the distance from it.
   double moment = 0;
 
-  /// False: the pressure depends on the elements so much that smaller ones show another field; the stated
-  /// errors are wide. A peak is narrower than three elements, or a profile has noise or a kink.
+  /// False: the pressure depends on the elements so much that its error cannot be told, and is nan. A peak is
+  /// narrower than three elements, or a profile has noise or a kink.
   bool converges = true;
-  /// Where it does not: the undeformed distance itself is rough from one element to the next, so that smaller
-  /// elements hardly help.
+  /// Where it does not: the undeformed distance itself is rough, so that smaller elements hardly help and no
+  /// error at all is told.
   bool rough = false;
   double moment_change = unknown_error; ///< share of a change of the moment that counts in moment_error(), 1
   double local_moment = unknown_error;  ///< the local part of moment_error() (error_estimates.hpp), N mm

@@ -41,8 +41,8 @@ BEM_CONTACT_RELATION(companion_tolerance <= companion_violation);
 BEM_CONTACT_TUNED(int, least_companion, 40);
 BEM_CONTACT_TUNED(int, least_companion_line, 7);
 
-// Where the pressure does not converge. On smooth profiles the first two stay below 0.15 and 0.2 and the
-// third below 0.4; with noise of 2 to 10 micrometres each case exceeds the second.
+// Where no error is stated. On smooth profiles the first two stay below 0.15 and 0.2 and the third below 0.4;
+// with noise of 2 to 10 micrometres each case exceeds the second.
 
 BEM_CONTACT_TUNED(double, largest_pmax_change, 0.25); ///< 1. Change of pmax over pmax.
 BEM_CONTACT_TUNED(double, largest_curvature, 0.5);    ///< 1. Fall of p_n beside its peak over pmax.

@@ -280,7 +280,7 @@ void add_trust(ResultClass& c) {
         return r.result.trust.discretisation ? std::optional(r.result.trust.discretisation->converges)
                                              : std::nullopt;
       },
-      "False: smaller elements show another field, and errors are wide; None: not estimated");
+      "False: smaller elements show another field, and no error can be told; None: not estimated");
   c.def_property_readonly("seconds", [](const SceneResult& r) { return r.seconds.total; });
   c.def_property_readonly("why_not_certified", why_not_certified,
                           "Why it is not certified; \"\" where it is");

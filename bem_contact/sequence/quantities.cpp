@@ -1,6 +1,9 @@
 #include "bem_contact/sequence/quantities.hpp"
 
+#include "bem_contact/sequence/uncertified.hpp"
+
 #include <algorithm>
+#include <fmt/format.h>
 #include <limits>
 
 namespace bem_contact {
@@ -350,7 +353,13 @@ std::vector<double> ElementQuantity::values(const SceneResult& result) const {
 }
 
 std::string why_no_errors(const SceneResult& r) {
-  return r.result.trust.why_no_errors;
+  const auto& estimate = r.result.trust.discretisation;
+  if (!estimate || estimate->converges)
+    return r.result.trust.why_no_errors;
+  return fmt::format(
+      "the pressure does not converge with the size of the elements ({}). Give smaller elements, or "
+      "smooth the profiles",
+      why_not_convergent(r.result));
 }
 
 } // namespace bem_contact

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
-#include <numbers>
 #include <random>
 
 namespace bem_contact {
@@ -49,20 +48,6 @@ struct Tally {
     return ratios[static_cast<std::size_t>(cases / 2)];
   }
 };
-
-/// The power of friction does not depend on how many columns of the grid lie beside the contact: here one on
-/// the side that it is shifted to.
-TEST(Power, IsThatOfTheContactWhateverLiesBesideIt) {
-  const auto power = [](double shift) {
-    ContactProblem problem = ellipse(1e-3, 2e-3, 20, shift, 0);
-    scenes::set_creepage(problem, 0.3, 4e-4, -3e-4, 0);
-    const ContactResult result = solve(problem);
-    EXPECT_TRUE(result.certified() && !result.trust.touches_border) << shift;
-    return result.totals.T_gamma.value;
-  };
-  for (const double shift : {-3.0, 3.0})
-    EXPECT_NEAR(power(shift) / power(0), 1, 1e-3) << shift;
-}
 
 /// Too few elements: nothing is estimated, and the result says why and what to do.
 TEST(ErrorEstimates, SayWhyThereAreNone) {
@@ -407,46 +392,24 @@ TEST(ErrorEstimates, HoldForTemperaturesWithALayer) {
   EXPECT_GE(powers.share(), 0.95);
 }
 
-/// With noise of some micrometres smaller elements show another pressure. The noise is a sum of waves of 1 mm
-/// and longer, so that elements three times as small show what the surfaces are.
-TEST(ErrorEstimates, HoldForNoisySurfaces) {
-  NEEDS_NO_SANITIZER();
+/// With noise of some micrometres smaller elements show another pressure: no number may be stated.
+TEST(ErrorEstimates, NoisySurfacesHaveNone) {
   std::mt19937 random(1);
-  std::normal_distribution<double> normal;
-  const auto rough = [](int finer, const std::vector<double>& waves) {
-    ContactProblem problem = ellipse(1e-3, 2e-3, 18 * finer, 0, 0);
-    for (int i = 0; i < problem.grid.size(); ++i) {
-      const double s = problem.rows[i / problem.grid.mx].s;
-      for (std::size_t k = 0; k < waves.size(); k += 2) {
-        const double number = 2 * std::numbers::pi * double(k / 2 + 3) / 12;
-        problem.gap[i] += waves[k] * std::cos(number * s) + waves[k + 1] * std::sin(number * s);
-      }
-    }
-    scenes::set_creepage(problem, 0.3, 5e-4, -3e-4, 0);
-    return solve(problem, {.estimate_discretisation = finer == 1});
-  };
-  Tally pmax, area, fx, fs, approach, power;
-  for (int round = 0; round < 20; ++round) {
-    std::vector<double> waves(20);
-    for (double& wave : waves)
-      wave = 6e-4 * normal(random); // mm
-    const ContactResult result = rough(1, waves), fine = rough(3, waves);
-    ASSERT_TRUE(result.certified() && result.trust.discretisation && fine.certified());
-    if (result.trust.discretisation->converges)
-      continue;
-    pmax.add(result.totals.pmax, fine.totals.pmax);
-    area.add(result.totals.area, fine.totals.area);
-    fx.add(result.totals.Fx, fine.totals.Fx);
-    fs.add(result.totals.Fs, fine.totals.Fs);
-    approach.add(result.totals.approach, fine.totals.approach);
-    power.add(result.totals.T_gamma, fine.totals.T_gamma);
+  std::normal_distribution<double> noise(0, 2e-3); // mm
+  ContactProblem problem = ellipse(1e-3, 2e-3, 24, 0, 0);
+  for (int is = 0; is < problem.grid.ms; ++is) {
+    const double of_row = noise(random);
+    for (int ix = 0; ix < problem.grid.mx; ++ix)
+      problem.gap[is * problem.grid.mx + ix] += of_row;
   }
-  fmt::print("{} noisy surfaces: held pmax {:.2f}, area {:.2f}, Fx {:.2f}, Fs {:.2f}, approach {:.2f}, power "
-             "{:.2f}\n",
-             pmax.cases, pmax.share(), area.share(), fx.share(), fs.share(), approach.share(), power.share());
-  EXPECT_GE(pmax.cases, 10) << "this test would say nothing";
-  for (const Tally* tally : {&pmax, &area, &fx, &fs, &approach, &power})
-    EXPECT_GE(tally->share(), 0.95);
+  const ContactResult result = solve(problem);
+  ASSERT_TRUE(result.certified() && result.trust.discretisation);
+  EXPECT_FALSE(result.trust.discretisation->converges);
+  EXPECT_TRUE(std::isnan(result.totals.pmax.error));
+  EXPECT_TRUE(std::isnan(result.totals.area.error));
+  EXPECT_TRUE(std::isnan(result.trust.discretisation->moment_error(result.totals, 0, 0)));
+  ASSERT_FALSE(result.patches.empty());
+  EXPECT_TRUE(std::isnan(result.patches[0].fn.error));
 }
 
 } // namespace

@@ -93,7 +93,8 @@ std::string pressure_text(const SceneResult& r) {
 
 /// The table of patches, each with its errors in a line below. Without friction nothing adheres or slips.
 std::string patches_text(const SceneResult& r, double force) {
-  const bool friction = r.problem.has_friction(), errors = r.result.trust.discretisation.has_value();
+  const bool friction = r.problem.has_friction(),
+             errors = r.result.trust.discretisation && r.result.trust.discretisation->converges;
   const int decimals = decimals_for_five(force);
   const auto line = [](const auto&... cells) {
     return fmt::format("{:>5} {:>11} {:>11} {:>11} {:>10} {:>9} {:>9}", cells...);

@@ -309,51 +309,18 @@ void estimate_temperatures(const ContactProblem& problem, const ContactResult& r
   totals.Tmax_wheel.error = weighed(shares::temperature, parts.Tmax_wheel);
 }
 
-/// Where smaller elements show another field, a number may move by what larger elements move it, and by more
-/// than its parts say.
-double widened(const Measured& number, double coarse) {
-  return unconverged * number.error + std::abs(number - coarse);
-}
-
-/// Errors of a result whose pressure does not converge: wide ones. `roughness`: MPa.
-void widen_errors(const ContactTotals& coarse, double roughness, ContactResult& result) {
-  ContactTotals& totals = result.totals;
-  const auto widen = [&](Measured ContactTotals::*number) {
-    Measured& of = totals.*number;
-    if (of.error > 0)
-      of.error = widened(of, coarse.*number);
-  };
-  for (const auto number : {&ContactTotals::Fx, &ContactTotals::Fy, &ContactTotals::Fz, &ContactTotals::Fs,
-                            &ContactTotals::approach, &ContactTotals::creepage_x, &ContactTotals::creepage_s,
-                            &ContactTotals::pmax, &ContactTotals::area, &ContactTotals::adhesion_share,
-                            &ContactTotals::T_gamma, &ContactTotals::Tmax_rail, &ContactTotals::Tmax_wheel})
-    widen(number);
-  totals.pmax.error += roughness;
-  Discretisation& estimate = *result.trust.discretisation;
-  estimate.local_moment *= unconverged;
-  estimate.moment_change = unconverged * estimate.moment_change + 1;
-  for (PatchSummary& patch : result.patches) {
-    for (Measured* number : {&patch.fn, &patch.fx, &patch.fs, &patch.fy, &patch.fz, &patch.overlap,
-                             &patch.area, &patch.moment_n, &patch.T_gamma})
-      number->error *= unconverged;
-    patch.pmax.error += totals.pmax.error; // of the highest of them
-  }
-}
-
 } // namespace
 
 double creepage_x_error(const ContactProblem& problem, const ContactResult& result,
                         const ContactProblem& coarse_problem, const ContactResult& coarse) {
   const Region fine = contact_of(problem, result, patches_of(problem, result)),
                rough = contact_of(coarse_problem, coarse, patches_of(coarse_problem, coarse));
-  if (rough.contact < least_companion)
+  if (rough.contact < least_companion || !converges(fine, rough, roughness_of_gap(problem, result)))
     return unknown_error;
-  ContactTotals totals = result.totals;
+  ContactTotals totals;
   PartsOfTotals parts;
   estimate_creepages(problem, result, coarse_problem.grid, coarse, fine, totals, parts);
-  return converges(fine, rough, roughness_of_gap(problem, result))
-             ? totals.creepage_x.error
-             : widened(totals.creepage_x, coarse.totals.creepage_x);
+  return totals.creepage_x.error;
 }
 
 void estimate_errors(const ContactProblem& problem, const ContactProblem& coarse_problem,
@@ -367,6 +334,8 @@ void estimate_errors(const ContactProblem& problem, const ContactProblem& coarse
   Discretisation& estimate = *result.trust.discretisation;
   estimate.converges = converges(fine, rough, roughness);
   estimate.rough = is_rough(fine, roughness);
+  if (!estimate.converges)
+    return;
   ContactTotals& totals = result.totals;
   PartsOfTotals& parts = estimate.parts;
   parts.area = area_parts(fine);
@@ -399,8 +368,6 @@ void estimate_errors(const ContactProblem& problem, const ContactProblem& coarse
   estimate.moment_change = longer * shares::moment.of(fine.line).change;
   estimate_patches(problem, patches, rough_patches, effects, fine, roughness, result.patches);
   estimate_track_forces(result);
-  if (!estimate.converges)
-    widen_errors(coarse.totals, roughness + fine.curvature, result);
 }
 
 } // namespace bem_contact::contact

@@ -86,10 +86,6 @@ inline constexpr double all_shown_power = 0.999;
 inline constexpr double least_shown_power = 0.5;
 /// 1. Roughness of the undeformed distance, as a pressure, in pmax.
 inline constexpr double pmax_rough = 0.06;
-/// 1. Where the pressure does not converge with the elements, errors are so many times as large, and have all
-/// of the change from larger elements besides; that of pmax has the roughness and the fall beside the peak,
-/// too. Chosen on profiles with noise of 2 to 10 micrometres ("noisy" of tools/benchmarks/estimates).
-inline constexpr double unconverged = 4.0;
 /// 1. The normal force of a patch changes where normals turn: by this share of what the sum of the pressure
 /// exceeds its resultant by, divided by the number of elements in contact. Chosen on columns without
 /// friction: "one column" of tools/benchmarks/estimates, seeds 291, 301 and 311.

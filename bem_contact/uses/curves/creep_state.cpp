@@ -13,7 +13,7 @@ MeasuredCreepForces forces_of(const SceneResult& result) {
 
 CreepForceValues coarse_forces_of(const SceneResult& result) {
   const std::optional<Discretisation>& estimate = result.result.trust.discretisation;
-  if (!estimate)
+  if (!estimate || !estimate->converges)
     return {unknown_error, unknown_error, unknown_error};
   const ContactTotals& coarse = estimate->coarse;
   const ReferencePoint& at = result.motion.reference;
