@@ -11,6 +11,7 @@
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/scene/sweep_check.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
 #include "bem_contact/uses/sweep/sweep_inputs.hpp"
 #include "bem_contact/uses/sweep/sweep_join.hpp"

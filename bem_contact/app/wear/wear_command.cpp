@@ -14,6 +14,7 @@
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/record/error_text.hpp"
 #include "bem_contact/scene/settings.hpp"
+#include "bem_contact/scene/sweep_check.hpp"
 #include "bem_contact/uses/sweep/sweep_inputs.hpp"
 #include "bem_contact/uses/wear/study.hpp"
 
