@@ -286,8 +286,7 @@ std::optional<Measured> free_creepage_of(const ContactCase& asked, GridSolution&
   layer.reset();
   pair.keep(std::move(problem.numbers), solved.numbers);
   const bool stated = result.trust.discretisation && result.trust.discretisation->converges;
-  if (stated && found &&
-      !std::isfinite(found->error)) // a precise solution may have an error
+  if (stated && found && !std::isfinite(found->error)) // a precise solution may have an error
     found.reset();
   return found;
 }
