@@ -1,9 +1,10 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/output_names.hpp"
+#include "bem_contact/app/output/print_answer.hpp"
+#include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
-#include "bem_contact/record/json.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
@@ -34,21 +35,23 @@ struct ShakedownArguments {
   shakedown::ShakedownProperties properties;
 };
 
-void print(const shakedown::Shakedown& found, const shakedown::ShakedownProperties& properties) {
+std::string text_of(const shakedown::Shakedown& found, const shakedown::ShakedownProperties& properties) {
+  std::string out;
   for (std::size_t k = 0; k < found.patches.size(); ++k) {
     const shakedown::PatchShakedown& p = found.patches[k];
-    fmt::print("patch {} at s = {:.2f} mm, pmax {:.0f} MPa: {}\n", k + 1, p.s, p.pmax,
-               in_words(p, properties));
-    fmt::print("  Dang Van {:.1f} MPa {:.2f} mm deep (a = {:g}), Crossland {:.1f} MPa {:.2f} mm deep: "
-               "compare with the "
-               "fatigue limit in torsion\n",
-               p.dang_van.value, p.dang_van.depth, properties.dang_van_a, p.crossland.value,
-               p.crossland.depth);
+    out += fmt::format("patch {} at s = {:.2f} mm, pmax {:.0f} MPa: {}\n", k + 1, p.s, p.pmax,
+                       in_words(p, properties));
+    out += fmt::format(
+        "  Dang Van {:.1f} MPa {:.2f} mm deep (a = {:g}), Crossland {:.1f} MPa {:.2f} mm deep: "
+        "compare with the "
+        "fatigue limit in torsion\n",
+        p.dang_van.value, p.dang_van.depth, properties.dang_van_a, p.crossland.value, p.crossland.depth);
   }
   if (found.patches.empty())
-    fmt::print("no contact that is large enough to tell\n");
+    out += "no contact that is large enough to tell\n";
   else if (found.too_small > 0)
-    fmt::print("{} more with fewer than four rows or columns of elements\n", found.too_small);
+    out += fmt::format("{} more with fewer than four rows or columns of elements\n", found.too_small);
+  return out;
 }
 
 ExitCode run(ShakedownArguments arguments) {
@@ -72,10 +75,8 @@ ExitCode run(ShakedownArguments arguments) {
     record::write_hdf5(
         arguments.output,
         headed(shakedown_format, given, arguments.output).append(record_of(found, properties)));
-  if (arguments.json)
-    fmt::print("{}\n", record::to_json(headed(shakedown_format).append(record_of(found, properties))));
-  else
-    print(found, properties);
+  print_answer(headed(shakedown_format).append(record_of(found, properties)), arguments.json,
+               text_of(found, properties));
   return success;
 }
 
