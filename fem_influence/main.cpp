@@ -1,5 +1,6 @@
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/message_file.hpp"
 #include "bem_contact/base/printable.hpp"
 #include "bem_contact/base/program.hpp"
 #include "bem_contact/base/provenance.hpp"
@@ -35,7 +36,7 @@ void use_one_blas_thread() {
 
 /// What OpenMPI shall use, where the user has not chosen otherwise.
 ///
-/// It searches for UCX at the start, which takes .2 s and only serves networks: not if all processes are on
+/// It searches for UCX at the start, which takes 0.2 s and only serves networks: not if all processes are on
 /// one machine. And OpenMPI 4.1 cannot make a window of processes on several machines by UCX ("invalid
 /// window"), with which we count the wavenumbers; its other ways can.
 void choose_transport() {
@@ -149,7 +150,7 @@ int run_program(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return exit_code_of(app, error);
   } catch (const InputError& error) {
-    print_error("error: {}\n", error.what());
+    say_error(error.what());
     return 2;
   }
 
@@ -167,10 +168,10 @@ int run_program(int argc, char** argv) {
   } catch (const fem::OtherProcessFailed&) {
     code = 2;
   } catch (const InputError& error) {
-    print_error("error: {}\n", error.what());
+    say_error(error.what());
     code = 2;
   } catch (const std::exception& error) {
-    print_error("error: {}\n", said_by(error));
+    say_error(said_by(error));
     code = 1;
   }
   MPI_Finalize();

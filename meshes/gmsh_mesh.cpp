@@ -8,7 +8,7 @@
 namespace bem_contact::meshes {
 namespace {
 
-/// 1. Gmsh's element size over ours: two, because each cell is split in four, and .7, measured, because gmsh
+/// 1. Gmsh's element size over ours: two, because each cell is split in four, and 0.7, measured, because gmsh
 /// makes triangles larger than it is asked to.
 constexpr double coarse_factor = 2 * 0.7;
 

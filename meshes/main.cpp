@@ -1,5 +1,6 @@
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/message_file.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/printable.hpp"
 #include "bem_contact/base/program.hpp"
@@ -123,10 +124,10 @@ int run_program(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return exit_code_of(app, error);
   } catch (const InputError& error) {
-    print_error("error: {}\n", error.what());
+    say_error(error.what());
     return 2;
   } catch (const std::exception& error) {
-    print_error("error: {}\n", said_by(error));
+    say_error(said_by(error));
     return 1;
   }
 }

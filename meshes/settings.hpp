@@ -9,7 +9,7 @@ namespace bem_contact::meshes {
 
 // Quality of a mesh.
 
-/// 1 (as above). Below this the program warns. Chosen: good meshes of all shipped bodies are above .3.
+/// 1 (as above). Below this the program warns. Chosen: good meshes of all shipped bodies are above 0.3.
 BEM_CONTACT_TUNED(double, poor_quality, 0.2);
 
 // Outlines and element sizes.

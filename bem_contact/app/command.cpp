@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/scene/choices.hpp"
+#include "bem_contact/scene/warning.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -62,6 +63,10 @@ void refuse_odd_numbers(CLI::App& line) {
 void warn(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings)
     spdlog::warn("{}", warning);
+}
+
+void warn(const Warnings& warnings) {
+  warn(warnings.texts());
 }
 
 } // namespace bem_contact::app

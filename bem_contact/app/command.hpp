@@ -7,6 +7,9 @@
 namespace CLI {
 class App;
 }
+namespace bem_contact {
+class Warnings;
+}
 
 namespace bem_contact::app {
 
@@ -34,6 +37,7 @@ void refuse_odd_numbers(CLI::App& line);
 
 /// Prints each on the error output.
 void warn(const std::vector<std::string>& warnings);
+void warn(const Warnings& warnings);
 
 // The commands of the program. Each function adds the options and the help of one.
 Command add_new(CLI::App& program);          ///< a scene to begin with
@@ -41,6 +45,7 @@ Command add_from_contact(CLI::App& program); ///< scenes of an input file of CON
 Command add_solve(CLI::App& program);        ///< one scene with one model
 Command add_compare(CLI::App& program);      ///< half-space and finite elements at the same forces
 Command add_check(CLI::App& program);        ///< what would be solved
+Command add_schema(CLI::App& program);       ///< the keys of a scene
 Command add_info(CLI::App& program);         ///< what is in a file
 Command add_influence(CLI::App& program);    ///< `influence expand`: influence numbers of a grid
 Command add_profile(CLI::App& program);      ///< a profile in words
@@ -57,10 +62,10 @@ Command add_report(CLI::App& program);       ///< a result file as one HTML page
 Command add_explore(CLI::App& program);      ///< a page in the browser that solves as one moves it
 Command add_plot(CLI::App& program);         ///< a picture of a file; Python draws it
 
-/// All of them, in the order of the program's help.
+/// Lists the commands in the order of the program's help.
 inline constexpr Command (*all_commands[])(CLI::App& program) = {
-    add_new,       add_from_contact, add_solve,    add_compare,      add_check,   add_info, add_influence,
-    add_profile,   add_sweep,        add_conicity, add_creep_curves, add_table,   add_wear, add_fatigue,
-    add_shakedown, add_wheelset,     add_study,    add_report,       add_explore, add_plot};
+    add_new,       add_from_contact, add_solve,    add_compare,  add_check,        add_schema,  add_info,
+    add_influence, add_profile,      add_sweep,    add_conicity, add_creep_curves, add_table,   add_wear,
+    add_fatigue,   add_shakedown,    add_wheelset, add_study,    add_report,       add_explore, add_plot};
 
 } // namespace bem_contact::app

@@ -19,7 +19,7 @@ BEM_CONTACT_TUNED(double, profile_csv_step, 0.1);
 /// hundredth of it. Chosen.
 BEM_CONTACT_TUNED(double, part_work, 2e9);
 /// Units of work, about a second. The least work of a part where there is so much: to write, read and join
-/// one takes some .05 s.
+/// one takes some 0.05 s.
 BEM_CONTACT_TUNED(double, least_part_work, 3e7);
 /// 1. A sweep is cut into at least so many parts for each process, so that those that have no more wait for
 /// an eighth of the time at most, and for a sixteenth on average. Chosen.

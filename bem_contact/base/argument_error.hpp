@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/base/printable.hpp"
+#include "bem_contact/base/message_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -66,7 +66,7 @@ inline std::string argument_error(const CLI::App& program, const CLI::ParseError
 inline int exit_code_of(const CLI::App& program, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0)
     return program.exit(error);
-  print_error("error: {}\n", argument_error(program, error));
+  say_error(argument_error(program, error));
   return 2;
 }
 

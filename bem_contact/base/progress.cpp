@@ -1,5 +1,7 @@
 #include "bem_contact/base/progress.hpp"
 
+#include "bem_contact/base/message_file.hpp"
+
 #include <fmt/format.h>
 
 #include <unistd.h>
@@ -74,6 +76,7 @@ void Progress::draw(bool last) {
   } else {
     out_ << fmt::format("{}: {}/{} {}", label_, done_, total_, time) << std::endl;
   }
+  tell_progress(done_, total_);
   drawn_ = done_;
   last_draw_ = now;
 }

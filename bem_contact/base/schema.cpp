@@ -193,6 +193,23 @@ void Schema::require_kind(const Key& key) const {
          "Remove it.");
 }
 
+std::vector<KeyDescription> Schema::describe() const {
+  std::vector<KeyDescription> out;
+  for (const Key& key : keys_) {
+    KeyDescription one{key.path, key.doc, key_type(key.target), key.rule};
+    if (const auto* choice = std::get_if<NamedChoice>(&key.target))
+      one.choices = choice->names;
+    if (const auto* list = std::get_if<TableList>(&key.target)) {
+      one.columns = list->next().describe();
+      list->clear();
+    }
+    if (!key.rule.example && !key.rule.commented_out && !has_no_value(key.target))
+      one.value = plain_value(key.target);
+    out.push_back(std::move(one));
+  }
+  return out;
+}
+
 std::string Schema::print() const {
   std::string out = fmt::format("# The whole schema of a {}. A key left out has its default.\n\n", title_);
   std::string table;

@@ -59,6 +59,19 @@ using SchemaTarget =
 /// A value that takes the place of the one in the file. A list of numbers serves keys that are points, too.
 using SchemaValue = std::variant<double, std::int64_t, bool, std::string, std::vector<double>>;
 
+/// How a key is written.
+enum class KeyType { number, whole_number, flag, text, point, numbers, choice, choices, tables };
+
+/// All that a schema says of one key, for whoever lists keys: editors, pages.
+struct KeyDescription {
+  std::string path, doc; ///< "table.key"; one line
+  KeyType type = KeyType::number;
+  KeyRule rule = {};
+  std::vector<std::string> choices = {};    ///< of a choice: the names; several stand with commas between
+  std::optional<SchemaValue> value = {};    ///< default; nothing where other keys or nothing take its place
+  std::vector<KeyDescription> columns = {}; ///< of tables: the keys of each
+};
+
 /// The schema of a TOML file, bound to the members of one struct.
 ///
 /// One add() for each key declares its name, type, default (the member's value), unit, range and
@@ -154,6 +167,9 @@ public:
 
   /// Returns the unit of the key, "" for none and for a key that is not there.
   std::string unit(std::string_view path) const;
+
+  /// Every key, in the order of add().
+  std::vector<KeyDescription> describe() const;
 
   /// Every key with its bound value, documented, as valid TOML. Commented out are keys of other kinds,
   /// optionals without a value, lists of tables (an example of them) and what its rule says.

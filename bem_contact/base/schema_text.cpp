@@ -49,7 +49,46 @@ struct TypeName {
   std::string operator()(const TableList&) const { return "list of tables"; }
 };
 
+struct Type {
+  KeyType operator()(const double*) const { return KeyType::number; }
+  KeyType operator()(const int*) const { return KeyType::whole_number; }
+  KeyType operator()(const bool*) const { return KeyType::flag; }
+  KeyType operator()(const std::string*) const { return KeyType::text; }
+  KeyType operator()(const Point2*) const { return KeyType::point; }
+  KeyType operator()(const std::vector<double>*) const { return KeyType::numbers; }
+  template <class T> KeyType operator()(const std::optional<T>*) const {
+    return (*this)(static_cast<const T*>(nullptr));
+  }
+  KeyType operator()(const NamedChoice& choice) const {
+    return choice.several ? KeyType::choices : KeyType::choice;
+  }
+  KeyType operator()(const TableList&) const { return KeyType::tables; }
+};
+
+struct Value {
+  using Result = std::optional<SchemaValue>;
+  Result operator()(const double* v) const { return *v; }
+  Result operator()(const int* v) const { return std::int64_t{*v}; }
+  Result operator()(const bool* v) const { return *v; }
+  Result operator()(const std::string* v) const { return *v; }
+  Result operator()(const Point2* v) const { return std::vector<double>{v->y, v->z}; }
+  Result operator()(const std::vector<double>* v) const { return *v; }
+  template <class T> Result operator()(const std::optional<T>* v) const {
+    return *v ? (*this)(&**v) : std::nullopt;
+  }
+  Result operator()(const NamedChoice& choice) const { return choice.text(); }
+  Result operator()(const TableList&) const { return std::nullopt; }
+};
+
 } // namespace
+
+KeyType key_type(const SchemaTarget& target) {
+  return std::visit(Type{}, target);
+}
+
+std::optional<SchemaValue> plain_value(const SchemaTarget& target) {
+  return std::visit(Value{}, target);
+}
 
 std::string last_part(std::string_view path) {
   return std::string(path.substr(path.rfind('.') + 1));

@@ -10,6 +10,9 @@ std::string table_of(std::string_view path);
 
 /// A bound value as TOML, and its type in words.
 std::string value_text(const SchemaTarget& target);
+KeyType key_type(const SchemaTarget& target);
+/// The bound value; nothing of an empty optional and of a list of tables.
+std::optional<SchemaValue> plain_value(const SchemaTarget& target);
 std::string type_text(const SchemaTarget& target);
 
 /// "> 0 and <= 1", "a | b"; "" if any value is allowed.

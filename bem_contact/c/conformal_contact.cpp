@@ -52,6 +52,16 @@ const SceneResult& result_of(const conformal_contact* handle) {
   return *handle->result;
 }
 
+/// Throws InputError if there is no such warning.
+const Warning& warning_of(const conformal_contact* handle, int index) {
+  const Warnings& warnings = result_of(handle).warnings;
+  if (index < 0 || index >= static_cast<int>(warnings.size()))
+    throw InputError(fmt::format("There is no warning {}", index),
+                     fmt::format("there are {}", warnings.size()),
+                     "Count them with conformal_warning_count(); the first is 0.");
+  return warnings[static_cast<std::size_t>(index)];
+}
+
 /// Throws InputError if there is no such patch.
 std::size_t patch_at(const SceneResult& result, int index) {
   const std::size_t count = result.result.patches.size();
@@ -189,12 +199,12 @@ int conformal_number(conformal_contact* handle, const char* path, double* value)
   });
 }
 
-int conformal_model(conformal_contact* handle, const char** name, const char** reason) {
+int conformal_model(conformal_contact* handle, const char** name, const char** why_this_model) {
   return with(handle, [&] {
-    require(name && reason, "the name or the reason");
+    require(name && why_this_model, "the name or why_this_model");
     const SceneResult& result = result_of(handle);
     *name = name_of(result.choice.model).data(); // a literal
-    *reason = result.choice.why_this_model.c_str();
+    *why_this_model = result.choice.why_this_model.c_str();
   });
 }
 
@@ -255,12 +265,14 @@ int conformal_warning_count(conformal_contact* handle, int* count) {
 int conformal_warning(conformal_contact* handle, int index, const char** text) {
   return with(handle, [&] {
     require(text, "the text");
-    const std::vector<std::string>& warnings = result_of(handle).warnings;
-    if (index < 0 || index >= static_cast<int>(warnings.size()))
-      throw InputError(fmt::format("There is no warning {}", index),
-                       fmt::format("there are {}", warnings.size()),
-                       "Count them with conformal_warning_count(); the first is 0.");
-    *text = warnings[static_cast<std::size_t>(index)].c_str();
+    *text = warning_of(handle, index).text.c_str();
+  });
+}
+
+int conformal_warning_kind(conformal_contact* handle, int index, const char** kind) {
+  return with(handle, [&] {
+    require(kind, "the kind");
+    *kind = name_of(warning_of(handle, index).kind).data(); // of a literal, so it ends with 0
   });
 }
 

@@ -104,8 +104,8 @@ int conformal_total_errors(conformal_contact* handle, double* errors, int count)
 int conformal_number(conformal_contact* handle, const char* path, double* value);
 
 /* The model that the last result was solved with (its name in scenes, as "halfspace"), and why it was this
- * one. *reason is valid until the next conformal_solve(). */
-int conformal_model(conformal_contact* handle, const char** name, const char** reason);
+ * one. *why_this_model is valid until the next conformal_solve(). */
+int conformal_model(conformal_contact* handle, const char** name, const char** why_this_model);
 
 /* Why the numbers of the last result have no stated errors, and what to do; "" if they have.
  * *text is valid until the next call of this function. */
@@ -174,10 +174,13 @@ int conformal_patch_errors(conformal_contact* handle, int index, double* errors,
 int conformal_grid(conformal_contact* handle, int* mx, int* ms);
 int conformal_array(conformal_contact* handle, int which, double* values, int count);
 
-/* Warnings of the last result: input that could be solved and is probably a mistake. */
+/* Warnings of the last result: input that could be solved and is probably a mistake. The first is the most
+ * important one. */
 int conformal_warning_count(conformal_contact* handle, int* count);
 /* *text is valid until the next conformal_solve(). */
 int conformal_warning(conformal_contact* handle, int index, const char** text);
+/* What it is of, for programs: "yield", "large_elements" and others (scene/warning.hpp lists them). */
+int conformal_warning_kind(conformal_contact* handle, int index, const char** kind);
 
 /*
  * Tables of `bem_contact table`: forces are looked up, in microseconds, not solved.

@@ -23,7 +23,7 @@ struct DigitRule {
   std::string_view about;
 };
 
-/// All of them, in the order in which they stand in the file.
+/// Lists the digits in the order in which they stand in the file.
 std::span<const DigitRule> digit_rules();
 
 /// The control digits of one case.

@@ -162,9 +162,8 @@ const showNumbers = took => {
   addSix(contact, parent);
   addRemarks(data.remarks, parent);
   const said = new Set(Object.values(data.remarks ?? {}).map(one => one.attributes?.text));
-  if (contact.group.warnings)
-    contact.group.warnings.text = warningsOf(contact).filter(text => !said.has(text)).join("\n");
-  addWarnings([["", contact]], parent, inFieldUnits);
+  for (const {text} of warningsOf(contact).filter(one => !said.has(one.text)))
+    add("p", `Warning: ${inFieldUnits(text)}`, parent, {className: "warning"});
   const more = add("details", "", parent, {id: "more", open: Boolean(open)});
   add("summary", "All numbers, with their errors", more);
   const fill = () => more.open && more.childElementCount === 1 && addAllNumbers(contact, more);

@@ -3,10 +3,10 @@
 #include "bem_contact/base/child_process.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/message_file.hpp"
 #include "bem_contact/base/temporary_folder.hpp"
 
 #include <atomic>
-#include <charconv>
 #include <fmt/format.h>
 #include <mutex>
 #include <thread>
@@ -20,19 +20,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* mesher = "mesh_body";
 constexpr const char* solver = "fem_influence";
-
-/// The share in a line of base/progress.hpp, "influence functions: 12/39 4.2 s left"; -1: another line.
-double share_in(const std::string& line) {
-  const std::size_t colon = line.find(": "), slash = line.find('/', colon);
-  if (colon == std::string::npos || slash == std::string::npos)
-    return -1;
-  int done = -1, all = 0;
-  const char* const text = line.data();
-  const auto first = std::from_chars(text + colon + 2, text + slash, done);
-  const auto second = std::from_chars(text + slash + 1, text + line.size(), all);
-  const bool both = first.ec == std::errc() && first.ptr == text + slash && second.ec == std::errc();
-  return both && all > 0 && done >= 0 ? double(done) / all : -1;
-}
 
 class ProgramComputer : public Computer {
 public:
@@ -101,24 +88,39 @@ private:
 
   /// `width`: the share of the work that the program does.
   void run(std::vector<std::string> words, const NamedBody& body, double from, double width) {
+    const fs::path program = words.front();
+    MessageFile told(folder_ / (body.name + "_messages.txt"));
+    std::error_code unknown;
+    fs::remove(told.file(), unknown); // of the program before
+    words.insert(words.begin(), {"env", fmt::format("{}={}", message_file_variable, told.file().string())});
     const ProgramLine line(words);
     std::string errors, how;
+    const auto take = [&] {
+      for (const ToldMessage& message : told.next())
+        if (message.kind == Told::progress)
+          show("", from + message.share * width);
+        else if (message.kind == Told::error)
+          errors += (errors.empty() ? "" : " ") + message.text;
+    };
     ChildProcess child(folder_ / (body.name + ".txt"), [&]() -> int {
       line.become();
       static_cast<void>(!write(STDERR_FILENO, "it cannot be started\n", 21));
       _exit(1); // a normal end takes locks that other threads may have held
     });
-    while (const auto said = child.next_line(&stop_))
-      if (const double share = share_in(*said); share >= 0)
-        show("", from + share * width);
-      else if (!said->starts_with("info: ") && !said->starts_with("warning: "))
-        errors += (errors.empty() ? "" : " ") + (said->starts_with("error: ") ? said->substr(7) : *said);
+    std::string last; // of what stands on standard error: a library may end the program
+    while (const auto said = child.next_line(&stop_)) {
+      last = *said;
+      take();
+    }
     if (stop_)
       return;
-    if (const int code = child.wait(how); code != 0)
+    const int code = child.wait(how);
+    take();
+    if (code != 0)
       throw Error(fmt::format("The {} has no influence functions", body.side),
-                  fmt::format("{}: {}", fs::path(words.front()).filename().string(),
+                  fmt::format("{}: {}", program.filename().string(),
                               !errors.empty() ? errors
+                              : !last.empty() ? last
                               : how.empty()   ? fmt::format("exit code {}", code)
                                               : how),
                   "Change the scene, or save the body files and look at them.");

@@ -18,7 +18,7 @@ namespace {
 /// 308).
 constexpr double closely = 0.1, loosely = 0.4;
 constexpr double farthest_s = 20.0; ///< mm. As above.
-/// mm. Steps along s. Between them the distance is linear to .0015 mm at a radius of 13 mm.
+/// mm. Steps along s. Between them the distance is linear to 0.0015 mm at a radius of 13 mm.
 constexpr double step = 0.4;
 /// mm. Displacements among which that of the flange is sought, and how far apart the first are: beyond the
 /// play of the thinnest flange, and less than the way from tread to flange.

@@ -67,7 +67,7 @@ struct RollingSpeed {
   double radius_at(double xi) const; ///< V / omega with this creepage, mm
   double xi_at(double radius) const; ///< the creepage with which it is that
 };
-/// That of a wheel on a rail or roller, at the reference point, with this creepage.
+/// Gives the speed of a wheel on a rail or roller, at the reference point, with this creepage.
 RollingSpeed rolling_speed(const WheelOnRail& pair, const ReferencePoint& reference,
                            const Creepage& creepage);
 

@@ -168,6 +168,18 @@ bool are_whole_chunks(hid_t set, hid_t list, std::vector<hsize_t> shape, const F
   return true;
 }
 
+std::size_t file_size(hid_t object) {
+  hsize_t bytes = 0;
+  const H5Handle whole_file(H5Iget_file_id(object), H5Fclose);
+  H5Fget_filesize(whole_file, &bytes);
+  return static_cast<std::size_t>(bytes);
+}
+
+/// Of a file of so many bytes.
+std::size_t most_inflated_of(std::size_t file) {
+  return std::max(always_inflated, inflated_by_byte * file);
+}
+
 /// Why HDF5 may not read it; "": it may.
 std::string fault_of(hid_t set, std::optional<Rows> rows) {
   const H5Handle list(H5Dget_create_plist(set), H5Pclose);
@@ -178,14 +190,12 @@ std::string fault_of(hid_t set, std::optional<Rows> rows) {
   const Filters filters = layout == H5D_CHUNKED ? filters_of(list) : Filters{};
   const double declared = declared_bytes(set, shape);
   const auto stored = static_cast<double>(H5Dget_storage_size(set));
-  hsize_t file = 0;
-  const H5Handle whole_file(H5Iget_file_id(set), H5Fclose);
-  H5Fget_filesize(whole_file, &file);
   if (!filters.fault.empty())
     return filters.fault;
+  const std::size_t file = file_size(set);
   if (declared > (filters.deflate >= 0 ? most_deflated : 1) * stored || stored > static_cast<double>(file))
     return fmt::format("has {:.0f} bytes, of which {:.0f} are stored in {}", declared, stored, file);
-  if (filters.deflate >= 0 && declared > static_cast<double>(most_inflated(set)))
+  if (filters.deflate >= 0 && declared > static_cast<double>(most_inflated_of(file)))
     return fmt::format("would take {:.0f} bytes of memory, and the file has {}", declared, file);
   if (layout == H5D_CHUNKED && declared > 0 && !are_whole_chunks(set, list, shape, filters, rows))
     return "has a chunk that is missing or not as long as it must be";
@@ -195,10 +205,7 @@ std::string fault_of(hid_t set, std::optional<Rows> rows) {
 } // namespace
 
 std::size_t most_inflated(hid_t object) {
-  hsize_t file = 0;
-  const H5Handle whole_file(H5Iget_file_id(object), H5Fclose);
-  H5Fget_filesize(whole_file, &file);
-  return std::max(always_inflated, inflated_by_byte * static_cast<std::size_t>(file));
+  return most_inflated_of(file_size(object));
 }
 
 H5Handle open_dataset(hid_t at, const std::string& path, std::optional<Rows> rows) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <sstream>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -62,6 +63,20 @@ bool read_text_attribute(hid_t object, const std::string& name, std::string& tex
   return read;
 }
 
+constexpr const char *role_attribute = "role", *choices_attribute = "choices";
+
+/// False where they cannot be read. Only what has a role has choices.
+bool read_role(hid_t set, H5Dataset& data) {
+  std::string choices;
+  if (!read_text_attribute(set, role_attribute, data.role) ||
+      (!data.role.empty() && !read_text_attribute(set, choices_attribute, choices)))
+    return false;
+  std::istringstream lines(choices);
+  for (std::string line; std::getline(lines, line);)
+    data.choices.push_back(line);
+  return true;
+}
+
 /// A dataset of one text of fixed length; false where it cannot be read. Any other text is passed over.
 bool read_text_dataset(hid_t set, const std::string& path, H5Table& table) {
   const H5Handle space(H5Dget_space(set), H5Sclose), type(H5Dget_type(set), H5Tclose);
@@ -96,7 +111,7 @@ bool read_open_dataset(hid_t set, const std::string& path, H5Table& table) {
   data.whole = kind == H5T_INTEGER;
   data.values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
   const bool said = read_text_attribute(set, "unit", data.unit) &&
-                    read_text_attribute(set, "description", data.description);
+                    read_text_attribute(set, "description", data.description) && read_role(set, data);
   table.checksums = table.checksums && (data.values.empty() || has_checksum(set));
   return said && (data.values.empty() ||
                   H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data()) >= 0);
@@ -183,8 +198,7 @@ void write_numbers(hid_t root, const H5Table& table, const std::filesystem::path
     check_writing(data.values.empty() || H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
                                                   data.values.data()) >= 0,
                   file, "dataset " + name);
-    check_writing(write_words(root, name, data.unit, data.description), file,
-                  "unit and description of " + name);
+    check_writing(write_words(root, name, data), file, "unit and description of " + name);
   }
 }
 
@@ -226,10 +240,15 @@ bool write_empty_line(hid_t root, const std::string& name, std::size_t size) {
                   H5Dclose) >= 0;
 }
 
-bool write_words(hid_t root, const std::string& name, const std::string& unit,
-                 const std::string& description) {
+bool write_words(hid_t root, const std::string& name, const H5Dataset& data) {
   const H5Handle set(H5Dopen2(root, name.c_str(), H5P_DEFAULT), H5Dclose);
-  return set >= 0 && write_attribute(set, "unit", unit) && write_attribute(set, "description", description);
+  std::string choices;
+  for (const std::string& choice : data.choices)
+    choices += choice + "\n";
+  return set >= 0 && write_attribute(set, "unit", data.unit) &&
+         write_attribute(set, "description", data.description) &&
+         (data.role.empty() || write_attribute(set, role_attribute, data.role)) &&
+         (choices.empty() || write_attribute(set, choices_attribute, choices));
 }
 
 namespace {

@@ -22,7 +22,7 @@ void write_entries(H5Id root, const H5Table& table, const std::filesystem::path&
 bool write_empty_line(H5Id root, const std::string& name, std::size_t size);
 bool write_rows(H5Id root, const std::string& name, std::size_t first, std::span<const double> values);
 /// The attributes of a dataset that say what it is.
-bool write_words(H5Id root, const std::string& name, const std::string& unit, const std::string& description);
+bool write_words(H5Id root, const std::string& name, const H5Dataset& data);
 
 /// How many numbers a dataset of one dimension has; nothing where it has another form.
 std::optional<std::size_t> numbers_in(H5Id root, const std::string& name);

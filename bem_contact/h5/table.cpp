@@ -233,12 +233,14 @@ void H5Writer::add(const H5Table& table) {
   write_entries(impl_->root, table, impl_->whole.file());
 }
 
-void H5Writer::add_line(const std::string& name, std::size_t size, const std::string& unit,
-                        const std::string& description) {
+void H5Writer::add_line(const std::string& name, std::size_t size, const H5Dataset& form) {
   const QuietHdf5 silence;
   impl_->ask_for_checksums();
-  impl_->reserve(0, 1 + size / rows_of_a_chunk);
-  impl_->check(write_empty_line(impl_->root, name, size) && write_words(impl_->root, name, unit, description),
+  std::size_t text = 0;
+  for (const std::string& choice : form.choices)
+    text += choice.size() + 1;
+  impl_->reserve(text / sizeof(double), 3 + size / rows_of_a_chunk);
+  impl_->check(write_empty_line(impl_->root, name, size) && write_words(impl_->root, name, form),
                "dataset " + name);
   impl_->lines[name] = {.size = size};
 }

@@ -17,13 +17,16 @@
 
 namespace bem_contact {
 
-/// One dataset of doubles, row-major. Attributes "unit" and "description" say what it is.
+/// One dataset of doubles, row-major. Attributes say what it is: "unit", "description", and where there are
+/// some, "role" and "choices".
 struct H5Dataset {
   std::vector<std::size_t> shape; ///< length of each dimension; empty: a single number
   std::vector<double> values;     ///< as many as the product of the lengths, the last dimension fastest
   std::string unit;               ///< of the values: mm, N, MPa ...; "1": none
   std::string description;        ///< in a few words
   bool whole = false;             ///< whole numbers: stored as such, none of them nan
+  std::string role = {};          ///< what a reader does with it (record/record.hpp); "": nothing special
+  std::vector<std::string> choices = {}; ///< the values count these, from 0; in the file a line each
 
   static H5Dataset single(double value, std::string unit, std::string description) {
     return {{}, {value}, std::move(unit), std::move(description)};
@@ -109,8 +112,8 @@ public:
   /// Names must be new to the file, but for groups.
   void add(const H5Table& table);
   /// Makes a dataset of `size` numbers, deflated and with checksums. put() appends them, run by run.
-  void add_line(const std::string& name, std::size_t size, const std::string& unit,
-                const std::string& description);
+  /// `form`: all of it but shape and values.
+  void add_line(const std::string& name, std::size_t size, const H5Dataset& form);
   void put(const std::string& name, std::span<const double> values);
   /// Throws Error where a line has fewer numbers than it was made for, too.
   void finish();

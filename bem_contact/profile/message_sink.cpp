@@ -1,5 +1,6 @@
 #include "bem_contact/profile/message_sink.hpp"
 
+#include "bem_contact/base/message_file.hpp"
 #include "bem_contact/base/printable.hpp"
 
 #include <cstdio>
@@ -30,8 +31,11 @@ void MessageSink::log(const spdlog::details::log_msg& message) {
   spdlog::details::log_msg shown = message;
   shown.payload = text;
   const bool may_repeat = message.level >= spdlog::level::err;
-  if (may_repeat || ++counts_[text] == 1)
-    spdlog::sinks::ansicolor_stderr_sink_mt::log(shown);
+  if (!may_repeat && ++counts_[text] > 1)
+    return;
+  spdlog::sinks::ansicolor_stderr_sink_mt::log(shown);
+  if (message.level >= spdlog::level::warn)
+    tell(may_repeat ? Told::error : Told::warning, text);
 }
 
 void MessageSink::finish() {

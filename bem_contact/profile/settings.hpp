@@ -10,7 +10,7 @@ namespace bem_contact {
 // Curves.
 
 /// rad. Chords of measured points that turn by more make a corner; less is taken as curvature. Chosen: a
-/// profile sampled every millimetre turns by .08 per chord on the sharpest arc of a new rail (R 13).
+/// profile sampled every millimetre turns by 0.08 per chord on the sharpest arc of a new rail (R 13).
 BEM_CONTACT_TUNED(double, corner_angle, 0.3);
 /// 1 (share of a piece). How closely the crossing of y = 0 is found: a few roundings.
 BEM_CONTACT_TUNED(double, axis_tolerance, 1e-14);
@@ -25,10 +25,10 @@ BEM_CONTACT_TUNED(double, polynomial_piece_length, 1.0);
 // Tables of standards.
 
 /// mm. So far the pieces of a standard may be apart where they meet, and off their own circles. EN 15302
-/// prints joints that miss each other by .0008; misprints of a digit are larger.
+/// prints joints that miss each other by 0.0008; misprints of a digit are larger.
 BEM_CONTACT_TUNED(double, joint_tolerance, 1e-3);
 /// rad (.05 degrees). By so much two pieces of a standard may turn without being called a kink: joints that
-/// are rounded to .001 mm turn pieces of 2 mm by .03 degrees.
+/// are rounded to 0.001 mm turn pieces of 2 mm by 0.03 degrees.
 BEM_CONTACT_TUNED(double, kink_tolerance, 8.727e-4);
 
 /// rad. Pieces of a contact surface that meet at less are smooth: the coordinates of a drawing are rounded.

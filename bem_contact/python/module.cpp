@@ -170,7 +170,7 @@ void add_quantities(ResultClass& c) {
 }
 
 /// The stub of all numbers and arrays of quantities.hpp. The build writes it beside that of the package. A
-/// number that a result may not have says so by the word "nan" in its meaning.
+/// number that a result may not have, and an error that is not known, is None.
 std::string stub_of_numbers() {
   std::string out =
       "from typing import Final\n\nimport numpy as np\nfrom numpy.typing import NDArray\n\n"
@@ -178,10 +178,11 @@ std::string stub_of_numbers() {
   const auto add = [&](const std::string& name, const char* type, const std::string& meaning) {
     out += "    " + name + ": Final[" + type + "]\n    \"\"\"" + meaning + "\"\"\"\n";
   };
-  with_errors(quantities(), [&](const std::string& name, const Unit& unit, auto, const char* meaning) {
-    const bool may_miss = std::string_view(meaning).find("nan") != std::string_view::npos;
-    add(name, may_miss ? "float | None" : "float", doc_of(meaning, unit));
-  });
+  for (const Quantity& q : quantities()) {
+    add(q.name, q.missing == Missing::possible ? "float | None" : "float", doc_of(q.meaning, q.unit));
+    if (q.error)
+      add(record::error_name(q.name), "float | None", doc_of(record::error_meaning, q.unit));
+  }
   for (const ElementQuantity& q : element_quantities())
     add(q.name, "NDArray[np.float64]", doc_of(q.meaning, q.unit, ", [ms][mx]"));
   for (const RowQuantity& q : row_quantities())
@@ -265,11 +266,17 @@ void add_trust(ResultClass& c) {
       "model", [](const SceneResult& r) { return std::string(name_of(r.choice.model)); },
       "Its name in scenes, as halfspace");
   c.def_property_readonly(
-      "reason", [](const SceneResult& r) { return r.choice.why_this_model; }, "Why this model");
+      "why_this_model", [](const SceneResult& r) { return r.choice.why_this_model; },
+      "Why it was solved with this model");
   c.def_property_readonly("why_no_errors", why_no_errors,
                           "Why numbers have no stated errors, and what to do; \"\" where they have");
-  c.def_readonly("warnings", &SceneResult::warnings,
-                 "What to know before the numbers are used, each with its figure and what to do");
+  c.def_property_readonly(
+      "warnings", [](const SceneResult& r) { return r.warnings.texts(); },
+      "What to know before the numbers are used, each with its figure and what to do; the most important "
+      "first");
+  c.def_property_readonly(
+      "warning_kinds", [](const SceneResult& r) { return r.warnings.kinds(); },
+      "The kind of each of `warnings`, as \"yield\"");
   c.def_property_readonly(
       "certified", [](const SceneResult& r) { return certified(r); },
       "Whether the certificate holds, and all steps before are solutions: look at it "

@@ -5,6 +5,7 @@
 #include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
+#include "bem_contact/scene/sweep_check.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
 #include "bem_contact/uses/sweep/sweep_rows.hpp"
 #include "bem_contact/uses/wheelset/solve_wheelset.hpp"
@@ -38,7 +39,7 @@ py::dict check(const py::object& scene, const py::object& changes, const py::obj
                const py::object& folder) {
   const SceneFile file = with_model(scene_file_of(scene, folder, changes_of(changes)), model_of(model));
   const SceneDescription found = stoppable([file](const std::atomic<bool>*) { return describe_scene(file); });
-  return py::dict("lines"_a = found.lines, "warnings"_a = found.warnings);
+  return py::dict("lines"_a = found.lines, "warnings"_a = found.warnings.texts());
 }
 
 /// The values of a key, an array if they are numbers.

@@ -39,13 +39,16 @@ struct Unit {
   constexpr Unit(const char* all, const char* in_shift = nullptr, QuantityKind what = QuantityKind::other)
       : rolling(all), shift(in_shift), kind(what) {}
 
-  /// That of a result.
+  /// Gives the unit that a result has.
   const char* of(bool is_shift) const { return shift && is_shift ? shift : rolling; }
   /// "1 (shift: mm)"
   std::string text() const {
     return shift ? std::string(rolling) + " (shift: " + shift + ")" : std::string(rolling);
   }
 };
+
+/// Whether a number may be nan: not every answer has one. Its meaning says when.
+enum class Missing { never, possible };
 
 /// What a function of a column takes: a result by reference, which patch by value.
 template <class T> using ColumnArgument = std::conditional_t<std::is_scalar_v<T>, T, const T&>;
@@ -60,6 +63,7 @@ template <class... Of> struct ColumnOf {
   double (*value)(ColumnArgument<Of>...);           ///< nan: not known, or there is none
   double (*error)(ColumnArgument<Of>...) = nullptr; ///< in the same unit; null: none is ever stated
   int digits = 9;                                   ///< that are worth printing
+  Missing missing = Missing::never;
 
   /// `Number`: a function, or a lambda without captures, that gives the number; a Measured where an error is
   /// stated for it.
@@ -68,8 +72,14 @@ template <class... Of> struct ColumnOf {
                      int worth_printing = 9)
       : name(of_name), unit(of_unit), meaning(what), value(value_of(number)), error(error_of(number)),
         digits(worth_printing) {}
+  template <class Number>
+  constexpr ColumnOf(const char* of_name, const Unit& of_unit, const char* what, Number number,
+                     Missing may_be_missing)
+      : ColumnOf(of_name, of_unit, what, number) {
+    missing = may_be_missing;
+  }
 
-  /// Both.
+  /// Gives the number with its error.
   Measured measured(ColumnArgument<Of>... of) const {
     return {value(of...), error ? error(of...) : unknown_error};
   }

@@ -10,7 +10,7 @@ namespace bem_contact {
 inline constexpr const char* result_format = "bem_contact result 4";
 inline constexpr const char* case_format = "bem_contact case 4"; ///< of a sweep
 inline constexpr const char* comparison_format = "bem_contact comparison 4";
-inline constexpr const char* sweep_format = "bem_contact sweep 4";
+inline constexpr const char* sweep_format = "bem_contact sweep 5";
 inline constexpr const char* sweep_part_format = "bem_contact sweep part 1";
 inline constexpr const char* wheelset_format = "bem_contact wheelset 3";
 inline constexpr const char* conicity_format = "bem_contact conicity 2";

@@ -50,8 +50,10 @@ public:
     table_->texts[name_] = {std::move(all), texts.meaning, true};
   }
   void operator()(const Field& values) {
-    table_->datasets[name_] = {
-        values.shape, {values.values.begin(), values.values.end()}, values.unit, values.meaning};
+    table_->datasets[name_] = {values.shape,  {values.values.begin(), values.values.end()},
+                               values.unit,   values.meaning,
+                               false,         std::string(name_of(values.role)),
+                               values.choices};
   }
   void operator()(const Table& table) {
     if (table.size() == 0) // as what an answer does not have
@@ -156,7 +158,10 @@ Record record_of_node(const Node& node) {
     if (errors.contains(name))
       continue;
     if (!data->shape.empty() || data->values.size() != 1) {
-      out.add(name, field(data->values, data->unit, data->description, data->shape));
+      Field values = field(data->values, data->unit, data->description, data->shape);
+      values.role = value_named<Role>(data->role).value_or(Role::other);
+      values.choices = data->choices;
+      out.add(name, std::move(values));
       continue;
     }
     Number number{data->values.front(), data->unit, data->description, {}, data->whole};

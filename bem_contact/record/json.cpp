@@ -127,7 +127,8 @@ public:
   void operator()(const Number& number) {
     (*out_)[name_] = described(number.unit, number.meaning, {}, std::span(&number.value, 1));
     if (number.error)
-      (*out_)[error_name(name_)] = described(number.unit, error_meaning, {}, std::span(&*number.error, 1));
+      add(error_name(name_), described(number.unit, error_meaning, {}, std::span(&*number.error, 1)),
+          Role::error);
   }
   void operator()(const Text& text) {
     if (text.meaning.empty())
@@ -141,7 +142,8 @@ public:
   }
   void operator()(const Field& values) {
     if (values.shape.size() <= 3)
-      (*out_)[name_] = described(values.unit, values.meaning, values.shape, values.values);
+      add(name_, described(values.unit, values.meaning, values.shape, values.values), values.role,
+          values.choices);
   }
   void operator()(const Table& table) {
     json& columns = (*out_)[name_] = json::object();
@@ -155,6 +157,14 @@ public:
   }
 
 private:
+  void add(const std::string& name, json numbers, Role role, const std::vector<std::string>& choices = {}) {
+    if (role != Role::other)
+      numbers["role"] = name_of(role);
+    if (!choices.empty())
+      numbers["choices"] = choices;
+    (*out_)[name] = std::move(numbers);
+  }
+
   json* out_;
   std::string path_, name_;
   const std::function<bool(std::string_view)>* left_out_;

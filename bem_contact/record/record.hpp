@@ -1,7 +1,9 @@
 #pragma once
 
+#include "bem_contact/base/enum_names.hpp"
 #include "bem_contact/base/error.hpp"
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -32,6 +34,15 @@ struct Text {
   std::string meaning = {};
 };
 
+/// What a page or a picture does with numbers, beyond showing them.
+enum class Role {
+  other,
+  swept,   ///< a key that a sweep varies
+  carried, ///< a column that a sweep's table carries along
+  outcome, ///< how cases ended: record::Outcome, which the choices name
+  error    ///< how well another number is known
+};
+
 /// Several texts, such as warnings.
 struct Texts {
   std::vector<std::string> lines;
@@ -44,6 +55,8 @@ struct Field {
   std::vector<std::size_t> shape; ///< length of each dimension
   std::span<const double> values; ///< as many as the product of the lengths, the last dimension fastest
   std::shared_ptr<const void> owner = nullptr; ///< nothing: whoever made the record keeps them
+  Role role = Role::other;
+  std::vector<std::string> choices = {}; ///< the values count these, from 0; empty: they are numbers
 };
 /// A field that owns its values. No shape: one dimension.
 Field field(std::vector<double> values, std::string unit, std::string meaning,
@@ -133,3 +146,7 @@ std::vector<std::string> paths_of(const Record& record);
 InputError unknown_path(const Record& record, std::string_view path, std::string_view what);
 
 } // namespace bem_contact::record
+
+template <> struct bem_contact::EnumNames<bem_contact::record::Role> {
+  static constexpr std::array<std::string_view, 5> names{"", "swept", "carried", "outcome", "error"};
+};

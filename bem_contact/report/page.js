@@ -125,9 +125,11 @@ const ofPart = (name, part, action) => {
 const shownParts = () => partsOf(data).filter(([, part]) => ANSWERS[part.attributes.study_page]);
 
 const studyWarnings = () => {
-  const all =
-      shownParts().flatMap(([name, part]) => ofPart(name, part, answer => warningTexts(answer.warnings?.() ?? [])));
-  return [...new Map(all.map(text => [text.replace(/[\d.]+/g, "#"), text])).values()];
+  const known = new Map(); // of several parts that say the same the first one
+  for (const [name, part] of shownParts())
+    for (const {kind, text} of ofPart(name, part, answer => warningsFound(answer.warnings?.() ?? [])))
+      known.set(kind, known.get(kind) ?? text);
+  return [...known.values()];
 };
 
 /// How each part went, and the numbers that people look at first.
@@ -246,7 +248,7 @@ const begin = async () => {
   const title = TITLE_OF[report.kind], answer = report.kind === "study" ? STUDY : ANSWERS[report.kind];
   add("h1", `${title}: ${report.file}`);
   addFirst(
-      foundIn(whole), report.kind === "study" ? studyWarnings() : warningTexts(answer.warnings?.() ?? []),
+      foundIn(whole), report.kind === "study" ? studyWarnings() : warningsFound(answer.warnings?.() ?? []).map(one => one.text),
       answer.picture());
   if (report.kind === "profile")
     add("pre", data.attributes.words, page, {id: "words"});

@@ -14,7 +14,11 @@ const addTable = (caption, head, lines, {parent = into, numbers, id = "", wide =
     fill(add("tr", "", body), "td", cells);
 };
 
-const warningsOf = contact => (contact.group.warnings?.text ?? "").split("\n").filter(Boolean);
+/// [{text, kind}] of a contact, the most important first. Two of one kind about the same key say the same.
+const warningsOf = ({group}) => {
+  const [texts, kinds, about] = ["warnings", "warning_kinds", "warning_about"].map(name => (group[name]?.text ?? "").split("\n"));
+  return texts.map((text, k) => ({text, kind: kinds[k] ? `${kinds[k]} ${about[k] ?? ""}` : text})).filter(({text}) => text);
+};
 
 const worstOf = ({group}) => valueOf(group.quantities, "certificate").toExponential(1);
 const toleranceOf = ({group}) => valueOf(group.certificate, "tolerance").toExponential(0);
@@ -31,21 +35,15 @@ const addCertificate = (contact, title = "") => {
   add("p", (title && `${title}. `) + text, into, {className: certified ? "certificate" : "certificate broken"});
 };
 
-/// Each warning once, whatever figures are in it; `of`: [title, contact] of those that may have it.
-const warningTexts = (of, shown = text => text) => {
+/// [{text, kind}] of each warning once; `of`: [title, contact] of those that may have it.
+const warningsFound = (of, shown = text => text) => {
   const found = new Map();
   for (const [title, contact] of of)
-    for (const warning of warningsOf(contact)) {
-      const kind = warning.replace(/[\d.]+/g, "#");
-      found.set(kind, {warning, ...found.get(kind), titles: [...(found.get(kind)?.titles ?? []), title]});
-    }
+    for (const {text, kind} of warningsOf(contact))
+      found.set(kind, {text, ...found.get(kind), titles: [...(found.get(kind)?.titles ?? []), title]});
   const whose = titles => of.length < 2 ? ""
     : ` (${titles.length < of.length ? titles.join("; ") : "all of them"}; figures are those of the first)`;
-  return [...found.values()].map(({warning, titles}) => `Warning: ${shown(warning)}${whose(titles)}`);
-};
-const addWarnings = (of, parent = into, shown = text => text) => {
-  for (const text of warningTexts(of, shown))
-    add("p", text, parent, {className: "warning"});
+  return [...found].map(([kind, {text, titles}]) => ({kind, text: `Warning: ${shown(text)}${whose(titles)}`}));
 };
 
 /// What is looked at first, in large figures: [name, words, text] of each.

@@ -92,9 +92,11 @@ SceneFile SceneReader::scene() const {
     for (const char* table : {"sweep", "table"})
       if (state_->schema.has(table) && !beside(table))
         file.unused.push_back(
-            fmt::format("[{0}]: one case is solved here, that of the other keys; bem_contact {0} "
-                        "solves all, and bem_contact study both",
-                        table));
+            {WarningKind::without_effect,
+             fmt::format("[{0}]: one case is solved here, that of the other keys; bem_contact {0} "
+                         "solves all, and bem_contact study both",
+                         table),
+             table});
   return file;
 }
 
@@ -210,6 +212,12 @@ std::string default_scene_file() {
   SceneFile file = example_scene();
   SceneKeysAsRead read;
   return scene_schema(file, read).print();
+}
+
+std::vector<KeyDescription> keys_of_scenes() {
+  SceneFile file;
+  SceneKeysAsRead read;
+  return scene_schema(file, read).describe();
 }
 
 std::string unit_of_key(std::string_view key) {

@@ -5,6 +5,7 @@
 #include "bem_contact/profile/profile_reading.hpp"
 #include "bem_contact/scene/choices.hpp"
 #include "bem_contact/scene/scene_text.hpp"
+#include "bem_contact/scene/warning.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -32,7 +33,7 @@ struct FrictionCoefficients {
 struct SceneFile {
   SceneKind kind = SceneKind::wheel_rail; ///< what is described
   std::filesystem::path folder;           ///< not a key: where relative paths start
-  std::vector<std::string> unused;        ///< not a key: which keys are given and have no effect, and why
+  std::vector<Warning> unused;            ///< not a key: which keys are given and have no effect, and why
 
   /// [rail], [wheel]
   struct Side {
@@ -277,6 +278,9 @@ std::string default_scene_file();
 std::vector<std::string> keys_of_table(std::string_view table);
 /// The unit of a key of scenes, "" for none.
 std::string unit_of_key(std::string_view key);
+/// Every key of scenes, with the values that they have where a file says nothing.
+std::vector<KeyDescription> keys_of_scenes();
+
 /// A scene as a file with the value of every key, defaults included: reading it gives the same scene, in this
 /// version and, because nothing is left to a default, in others.
 std::string scene_with_defaults(const SceneFile& scene);

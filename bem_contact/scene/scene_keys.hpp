@@ -27,7 +27,7 @@ void check_keys(const SceneFile& file, const Schema& schema);
 
 /// Keys that the file sets to another value than their default, and that have no effect in this combination:
 /// one sentence for each reason.
-std::vector<std::string> unused_keys(const SceneFile& scene, const Schema& schema);
+std::vector<Warning> unused_keys(const SceneFile& scene, const Schema& schema);
 
 /// A key whose value changes nothing, because another key is given.
 struct OverruledKey {

@@ -145,8 +145,13 @@ std::vector<Cause> causes_of_grid(const SceneFile& f) {
 
 } // namespace
 
-std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
-  std::vector<std::string> out = schema.former_names();
+std::vector<Warning> unused_keys(const SceneFile& f, const Schema& schema) {
+  std::vector<Warning> out;
+  const auto add = [&](const std::string& keys, const std::string& why) {
+    out.push_back({WarningKind::without_effect, fmt::format("{}: without effect ({})", keys, why), keys});
+  };
+  for (const std::string& text : schema.former_names())
+    out.push_back({WarningKind::without_effect, text, text});
   for (const auto& [table, name] : {std::pair{"rail", &f.rail.profile},
                                     {"wheel", &f.wheel.profile},
                                     {"left_rail", &f.wheelset.left_rail.profile},
@@ -154,9 +159,9 @@ std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
     const std::string& profile = *name;
     if (const auto given = given_reading(schema, table);
         !given.empty() && (is_standard_profile(profile) || profile.ends_with(".toml")))
-      out.push_back(fmt::format("{}: without effect ({} is no profile file{})", fmt::join(given, ", "),
-                                profile,
-                                profile.ends_with(".toml") ? "; a body file has these keys of its own" : ""));
+      add(fmt::format("{}", fmt::join(given, ", ")),
+          fmt::format("{} is no profile file{}", profile,
+                      profile.ends_with(".toml") ? "; a body file has these keys of its own" : ""));
   }
   for (const std::vector<Cause>& causes : {causes_of_motion(f), causes_of_grid(f), causes_of_bodies(f)})
     for (const Cause& cause : causes) {
@@ -165,7 +170,7 @@ std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
         if (cause.holds && schema.changed(key))
           given.push_back(key);
       if (!given.empty())
-        out.push_back(fmt::format("{}: without effect ({})", fmt::join(given, ", "), cause.why));
+        add(fmt::format("{}", fmt::join(given, ", ")), cause.why);
     }
   return out;
 }

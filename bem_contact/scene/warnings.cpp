@@ -39,66 +39,83 @@ constexpr double least_curve_radius = 1e4;
 constexpr double flange_tip_depth = 2.0;
 
 /// `on_rail`: wheels and rails are not as soft as patches may be.
-void look_at_materials(const SceneFile& scene, bool on_rail, std::vector<std::string>& out) {
+void look_at_materials(const SceneFile& scene, bool on_rail, Warnings& out) {
   for (const auto& [key, body] :
        {std::pair{"rail.material", &scene.rail}, std::pair{"wheel.material", &scene.wheel}}) {
     const double young = body->material.young();
     if (young > stiffest_modulus)
-      out.push_back(fmt::format(
-          "{}: a Young's modulus of {:.3g} MPa is above that of diamond (the unit is MPa)", key, young));
+      out.add(WarningKind::unlikely_value,
+              fmt::format("{}: a Young's modulus of {:.3g} MPa is above that of diamond (the unit is MPa)",
+                          key, young),
+              key);
     if (on_rail && young < softest_modulus)
-      out.push_back(fmt::format(
-          "{}: a Young's modulus of {:g} MPa is below that of hard plastics (the unit is MPa)", key, young));
+      out.add(
+          WarningKind::unlikely_value,
+          fmt::format("{}: a Young's modulus of {:g} MPa is below that of hard plastics (the unit is MPa)",
+                      key, young),
+          key);
   }
 }
 
 /// The other wheel is not computed: does its flange stand on its rail?
-void look_at_lateral(const SceneFile& scene, std::vector<std::string>& out) {
+void look_at_lateral(const SceneFile& scene, Warnings& out) {
   const SceneFile::Position& p = scene.position;
   const double away =
       p.side == WheelSide::left ? p.lateral : -p.lateral; // of this wheel's flange from its rail
   const double room = (p.gauge - p.back_to_back) / 2 - thinnest_flange;
   if (by_gauge_and_flange(scene) && away > room)
-    out.push_back(
+    out.add(
+        WarningKind::unlikely_value,
         fmt::format("position.lateral = {:g} mm moves this wheel's flange away from its rail, and the other "
-                    "wheel's flange over "
-                    "its own: between gauge and flange backs there are {:.3g} mm at most (+ is to the right)",
-                    p.lateral, room));
+                    "wheel's flange over its own: between gauge and flange backs there are {:.3g} mm at "
+                    "most (+ is to the right)",
+                    p.lateral, room),
+        "position.lateral");
 }
 
-void look_at_motion(const SceneFile& scene, double rolling_radius, std::vector<std::string>& out) {
+void look_at_motion(const SceneFile& scene, double rolling_radius, Warnings& out) {
   const SceneFile::Motion& m = scene.motion;
   const double radius = scene.position.wheel_radius;
   const auto unlike = [&](double r) { return std::abs(r - radius) > largest_motion_share * radius; };
   if (m.pitch_rate && unlike(rolling_radius))
-    out.push_back(
-        fmt::format("motion.speed over motion.pitch_rate is a rolling radius of {:.4g} mm on a wheel of "
-                    "{:g} mm: it slides (the unit of the speed is mm/s)",
-                    rolling_radius, radius));
+    out.add(WarningKind::unlikely_value,
+            fmt::format("motion.speed over motion.pitch_rate is a rolling radius of {:.4g} mm on a wheel of "
+                        "{:g} mm: it slides (the unit of the speed is mm/s)",
+                        rolling_radius, radius),
+            "motion.pitch_rate");
   else if (m.rolling_radius && unlike(*m.rolling_radius))
-    out.push_back(fmt::format("motion.rolling_radius is {:g} mm on a wheel of {:g} mm: it slides",
-                              *m.rolling_radius, radius));
+    out.add(WarningKind::unlikely_value,
+            fmt::format("motion.rolling_radius is {:g} mm on a wheel of {:g} mm: it slides",
+                        *m.rolling_radius, radius),
+            "motion.rolling_radius");
   if (const double speed = m.roller_speed.value_or(0) * scene.rail.roller_radius.value_or(0);
       m.speed && speed > 0 && std::abs(speed - *m.speed) > largest_motion_share * *m.speed)
-    out.push_back(
+    out.add(
+        WarningKind::unlikely_value,
         fmt::format("motion.roller_speed moves the roller's surface with {:.4g} mm/s, and motion.speed is "
                     "{:g} mm/s: the wheel slides",
-                    speed, *m.speed));
+                    speed, *m.speed),
+        "motion.roller_speed");
   if (std::abs(m.phi) * radius > largest_spin)
-    out.push_back(
-        fmt::format("motion.phi = {:g} per mm is the spin of a radius of {:.3g} mm (the unit is 1/mm)", m.phi,
-                    1 / std::abs(m.phi)));
+    out.add(WarningKind::unlikely_value,
+            fmt::format("motion.phi = {:g} per mm is the spin of a radius of {:.3g} mm (the unit is 1/mm)",
+                        m.phi, 1 / std::abs(m.phi)),
+            "motion.phi");
   for (const auto& [key, velocity] : {std::pair{"lateral_velocity", m.lateral_velocity},
                                       std::pair{"vertical_velocity", m.vertical_velocity}})
     if (m.speed && std::abs(velocity) > largest_motion_share * *m.speed)
-      out.push_back(fmt::format("motion.{} is {:.3g} times motion.speed (the unit of both is mm/s)", key,
-                                std::abs(velocity) / *m.speed));
+      out.add(WarningKind::unlikely_value,
+              fmt::format("motion.{} is {:.3g} times motion.speed (the unit of both is mm/s)", key,
+                          std::abs(velocity) / *m.speed),
+              key);
 }
 
-void look_at_track(const SceneFile::Track& track, std::vector<std::string>& out) {
+void look_at_track(const SceneFile::Track& track, Warnings& out) {
   if (track.curve_radius && std::abs(*track.curve_radius) < least_curve_radius)
-    out.push_back(fmt::format("track.curve_radius = {:g} mm is a curve of {:.3g} m (the unit is mm)",
-                              *track.curve_radius, std::abs(*track.curve_radius) / 1000));
+    out.add(WarningKind::unlikely_value,
+            fmt::format("track.curve_radius = {:g} mm is a curve of {:.3g} m (the unit is mm)",
+                        *track.curve_radius, std::abs(*track.curve_radius) / 1000),
+            "track.curve_radius");
 }
 
 /// The flange's tip; the wheel's section as its table has it.
@@ -147,10 +164,12 @@ std::string no_play(const WheelsetPosition& position, const TabulatedProfile& wh
       -play, depth);
 }
 
-void warn_of_kilonewtons(const char* key, double force, int wheels, std::vector<std::string>& warnings) {
+void warn_of_kilonewtons(const char* key, double force, int wheels, Warnings& warnings) {
   if (force > 0 && force < wheels * least_wheel_load)
-    warnings.push_back(fmt::format("{} looks like kN ({:g} N on {}) Give it in N.", key, force,
-                                   wheels == 1 ? "a wheel" : "an axle"));
+    warnings.add(WarningKind::unlikely_value,
+                 fmt::format("{} looks like kN ({:g} N on {}) Give it in N.", key, force,
+                             wheels == 1 ? "a wheel" : "an axle"),
+                 key);
 }
 
 std::string inclined_twice(const RailInclination& rail, double given) {
@@ -164,41 +183,49 @@ std::string inclined_twice(const RailInclination& rail, double given) {
                      inclination_text(rail.get()), given);
 }
 
-std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSetup& setup) {
-  std::vector<std::string> out = scene.unused;
+Warnings input_warnings(const SceneFile& scene, const ContactSetup& setup) {
+  Warnings out;
+  for (const Warning& unused : scene.unused)
+    out.add(unused);
   look_at_materials(scene, setup.wheel_rail() != nullptr, out);
   if (!scene.motion.frictionless && scene.motion.friction_table.empty() &&
       scene.motion.friction > highest_friction)
-    out.push_back(
-        fmt::format("motion.friction = {:g}: hardly any bodies have more than {:g} (it is no percentage)",
-                    scene.motion.friction, highest_friction));
+    out.add(WarningKind::unlikely_value,
+            fmt::format("motion.friction = {:g}: hardly any bodies have more than {:g} (it is no percentage)",
+                        scene.motion.friction, highest_friction),
+            "motion.friction");
   const Motion& motion = setup.motion;
   const FrictionCoefficients& c = motion.coefficients;
   const bool speed_counts = asked_law(c) || motion.temperature.flash;
   if (motion.tangential && speed_counts && motion.speed < least_speed)
-    out.push_back(
-        fmt::format("motion.speed = {:g} mm/s is below walking pace: give it in mm/s", motion.speed));
+    out.add(WarningKind::unlikely_value,
+            fmt::format("motion.speed = {:g} mm/s is below walking pace: give it in mm/s", motion.speed),
+            "motion.speed");
   if (const WheelRailGeometry* placed = setup.wheel_rail()) {
     if (setup.load.kind == LoadKind::force)
       warn_of_kilonewtons("load.force", setup.load.force, 1, out);
     if (std::string twice = inclined_twice(placed->rail_inclination, scene.position.rail_inclination);
         !twice.empty())
-      out.push_back(std::move(twice));
+      out.add(WarningKind::inclined_twice, std::move(twice));
     look_at_lateral(scene, out);
     if (std::string none = by_gauge_and_flange(scene) ? no_play(scene.position, placed->pair.wheel) : "";
         !none.empty())
-      out.push_back(std::move(none));
+      out.add(WarningKind::no_play, std::move(none));
     look_at_motion(scene, setup.motion.creepage.rolling_radius, out);
     look_at_track(scene.track, out);
     if (scene.position.wheel_radius > largest_wheel_radius)
-      out.push_back(fmt::format("position.wheel_radius = {:g} mm: the radius is asked for, not the diameter",
-                                scene.position.wheel_radius));
+      out.add(WarningKind::unlikely_value,
+              fmt::format("position.wheel_radius = {:g} mm: the radius is asked for, not the diameter",
+                          scene.position.wheel_radius),
+              "position.wheel_radius");
     if (const auto tip = flange_tip_below(*placed))
-      out.push_back(fmt::format(
-          "the wheel stands on the tip of its flange, y = {:.1f} mm of its profile: it has left the track "
-          "(position.lateral, position.gauge, position.back_to_back), or the profile's y = 0 is not at the "
-          "tape circle (wheel.flange_back)",
-          tip->y));
+      out.add(
+          WarningKind::flange_tip,
+          fmt::format(
+              "the wheel stands on the tip of its flange, y = {:.1f} mm of its profile: it has left the "
+              "track (position.lateral, position.gauge, position.back_to_back), or the profile's y = 0 is "
+              "not at the tape circle (wheel.flange_back)",
+              tip->y));
   }
   return out;
 }

@@ -1,18 +1,18 @@
 #pragma once
 
 #include "bem_contact/scene/contact_setup.hpp"
+#include "bem_contact/scene/warning.hpp"
 
 #include <string>
-#include <vector>
 
 namespace bem_contact {
 
 /// Input that can be solved but is probably a mistake, in sentences: another unit, a diameter for a radius, a
 /// wheel that stands on its flange, keys that have no effect. `setup`: of the scene.
-std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSetup& setup);
+Warnings input_warnings(const SceneFile& scene, const ContactSetup& setup);
 
 /// Warns of a vertical force on so many wheels that is probably in kN.
-void warn_of_kilonewtons(const char* key, double force, int wheels, std::vector<std::string>& warnings);
+void warn_of_kilonewtons(const char* key, double force, int wheels, Warnings& warnings);
 
 /// What is wrong with inclining a rail by `given` (rad) that its file has inclined already, or leaning the
 /// other way; "": nothing.

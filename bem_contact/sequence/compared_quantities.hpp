@@ -26,7 +26,7 @@ struct ComparedQuantity {
   /// is missing, where the scale is zero, and of approaches with different datums.
   std::optional<double> difference(const SceneResult& model, const SceneResult& reference) const;
 };
-/// All of them, in the order of the outputs.
+/// Lists the quantities that a comparison shows, in the order of the outputs.
 std::span<const ComparedQuantity> compared_quantities();
 
 /// The differences under the names of their quantities; nan where there is none.

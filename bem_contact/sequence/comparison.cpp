@@ -13,7 +13,7 @@ namespace {
 
 /// 1. A model whose lateral force at the reference's position is as near to the reference's as this, over the
 /// resultant of Fy and Fz, is compared there. On a tread Fy hardly depends on the position: on a rail
-/// inclined 1:40 the half-space's is within .0003. The place where it is exactly the same lies .28 mm off,
+/// inclined 1:40 the half-space's is within 0.0003. The place where it is exactly the same lies 0.28 mm off,
 /// where pmax is 12 % off.
 constexpr double same_lateral_force = 0.005;
 

@@ -38,7 +38,7 @@ struct ElasticityModel {
   bool by_name_only = false; ///< no scene gets it without asking for it
 };
 
-/// All of them, the cheapest first.
+/// Lists the models, the cheapest first.
 std::span<const ElasticityModel> elasticity_models();
 const ElasticityModel& elasticity_model(Model model);
 

@@ -95,7 +95,8 @@ constexpr Quantity known_quantities[] = {
      [](const SceneResult& r) {
        const auto& found = r.motion.found_lateral;
        return Measured{r.motion.lateral.value_or(none), found ? found->lateral.error : none};
-     }},
+     },
+     Missing::possible},
     {"approach", mm, "along z", of_totals<&ContactTotals::approach>},
     {"pmax", megapascal, "largest pressure", of_totals<&ContactTotals::pmax>},
     {"area", square, "in contact", of_totals<&ContactTotals::area>},
@@ -104,9 +105,9 @@ constexpr Quantity known_quantities[] = {
     {"T_gamma", work_unit, "work of friction per unit of rolled distance (shift: in the step)",
      of_totals<&ContactTotals::T_gamma>},
     {"Tmax_rail", celsius, "highest temperature of the rail's surface; nan: not asked for",
-     of_totals<&ContactTotals::Tmax_rail>},
+     of_totals<&ContactTotals::Tmax_rail>, Missing::possible},
     {"Tmax_wheel", celsius, "highest temperature of the wheel's surface; nan: not asked for",
-     of_totals<&ContactTotals::Tmax_wheel>},
+     of_totals<&ContactTotals::Tmax_wheel>, Missing::possible},
     {"xi", creepage_unit, "longitudinal creepage, with what was found for load.force_x",
      [](const SceneResult& r) {
        return Measured{r.motion.xi, r.result.totals.creepage_x.error};
@@ -125,15 +126,18 @@ constexpr Quantity known_quantities[] = {
      "of the layer under shear, given or found for layer.slope; nan: there is none, or rows differ",
      [](const SceneResult& r) {
        return r.layer.shear.empty() || r.layer.by_row() ? none : r.layer.shear.front();
-     }},
+     },
+     Missing::possible},
     {"layer_normal_compliance", compliance_unit, "of the layer under pressure; nan: there is none",
-     [](const SceneResult& r) { return r.layer.normal > 0 ? r.layer.normal : none; }},
+     [](const SceneResult& r) { return r.layer.normal > 0 ? r.layer.normal : none; }, Missing::possible},
     {"free_rolling_xi", creepage_alone, "longitudinal creepage at which Fx is 0; nan: not looked for",
-     [](const SceneResult& r) { return r.motion.free_rolling ? r.motion.free_rolling->xi : Measured{none}; }},
+     [](const SceneResult& r) { return r.motion.free_rolling ? r.motion.free_rolling->xi : Measured{none}; },
+     Missing::possible},
     {"free_rolling_radius", mm, "rolling radius at which Fx is 0; nan: not looked for",
      [](const SceneResult& r) {
        return r.motion.free_rolling ? r.motion.free_rolling->radius() : Measured{none};
-     }},
+     },
+     Missing::possible},
     {"patch_count", number, "connected areas in contact",
      [](const SceneResult& r) { return double(r.result.patches.size()); }},
     {"Fn_2", newton, "normal force of the second largest patch; 0: there is none",
@@ -159,7 +163,8 @@ constexpr Quantity known_quantities[] = {
      [](const SceneResult& r) {
        const double error = r.result.trust.certificate.discretisation;
        return error < 0 ? none : error;
-     }},
+     },
+     Missing::possible},
     {"outer_iterations", effort, "between the normal and the tangential problem",
      of_effort<&Effort::outer_iterations>},
     {"normal_iterations", effort, "changes of the active set", of_effort<&Effort::normal_iterations>},

@@ -17,22 +17,22 @@ namespace bem_contact {
 /// One number of a result. If it has an estimate of the error that the size of the elements causes
 /// (Measured), outputs give that too, as "<name>_error" in the same unit.
 using Quantity = ColumnOf<SceneResult>;
-/// All of them, in the order of the outputs.
+/// Lists the numbers of a result in the order of the outputs.
 std::span<const Quantity> quantities();
 
 /// One number of a patch. Patches are in the order of their forces.
 using PatchQuantity = ColumnOf<SceneResult, std::size_t>;
-/// All of them, in the order of the outputs.
+/// Lists the numbers of a patch in the order of the outputs.
 std::span<const PatchQuantity> patch_quantities();
 
 /// One number of a step of a transient or of shifts.
 using StepQuantity = ColumnOf<SceneResult, ContactResult>;
-/// All of them, in the order of the outputs.
+/// Lists the numbers of a step in the order of the outputs.
 std::span<const StepQuantity> step_quantities();
 
 /// One number of each row of the grid, in its order.
 using RowQuantity = ColumnOf<SceneResult, std::size_t>;
-/// All of them, in the order of the outputs.
+/// Lists the numbers of a row in the order of the outputs.
 std::span<const RowQuantity> row_quantities();
 
 /// One number of each element. `copy` fills mx times ms numbers, [ms][mx]; 0 where a result has none.
@@ -50,10 +50,10 @@ struct ElementQuantity {
   /// What `copy` gives, in a vector of its own.
   std::vector<double> values(const SceneResult& result) const;
 };
-/// All of them, in the order of the outputs.
+/// Lists the numbers of an element in the order of the outputs.
 std::span<const ElementQuantity> element_quantities();
 
-/// That of quantities().
+/// Returns the quantity of that name, which must be one of quantities().
 inline const Quantity& quantity(std::string_view name) {
   return named(quantities(), name);
 }

@@ -10,7 +10,7 @@ namespace bem_contact {
 /// The file of `solve -o`: how it begins (scene_record.hpp), then what the result says.
 record::Record result_file(const SceneResult& result, const GivenScene& given,
                            const std::filesystem::path& output);
-/// That of `compare -o`.
+/// Makes the file of `compare -o`.
 record::Record comparison_file(const Comparison& comparison, const GivenScene& given,
                                const std::filesystem::path& output);
 /// What a sweep keeps of a case with fields: all but the numbers that its table has.

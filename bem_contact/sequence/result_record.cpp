@@ -221,7 +221,7 @@ void add_words_of(Record& out, const SceneResult& r) {
     out.add("converges_with_elements", r.result.trust.discretisation->converges);
   else
     out.add("converges_with_elements", Record::Nothing{});
-  out.add("warnings", record::Texts{r.warnings, "one line for each"});
+  out.append(record_of(r.warnings));
   const std::string side = r.motion.left ? "left" : "right";
   out.add("side", side);
   out.add("frame", "x rolling direction, y to the " + side + ", z down; s along the rail, n into the rail");
@@ -299,6 +299,16 @@ double ResultByPath::number(std::string_view path) {
                    record::values_at(all, path).empty() ? "a text or a group stands there"
                                                         : "several numbers stand there",
                    "Go on in the path, as patches/0/Fn.");
+}
+
+Record record_of(const Warnings& warnings) {
+  std::vector<std::string> about;
+  for (const Warning& one : warnings)
+    about.push_back(one.about);
+  return {{"warnings", record::Texts{warnings.texts(), "one line for each, the most important first"}},
+          {"warning_kinds", record::Texts{warnings.kinds(), "what each is of"}},
+          {"warning_about",
+           record::Texts{std::move(about), "the key that each is about, if its kind has several"}}};
 }
 
 Record record_of(const Comparison& c, const RecordParts& parts) {

@@ -21,6 +21,13 @@ struct RecordParts {
 ///     quantities/Fx, patches/0/Fn, history/0/Fx, ...                      numbers (quantities.hpp)
 ///     x, s, gap, p_n, ...                                                 fields
 record::Record record_of(const SceneResult& result, const RecordParts& parts = {});
+/// A temporary is gone before its fields are looked at.
+record::Record record_of(const SceneResult&& result, const RecordParts& parts = {}) = delete;
+
+/// `warnings`: the texts, the most important first; `warning_kinds`: what each is of (WarningKind);
+/// `warning_about`: the key, where a kind has several. Two of one kind about the same thing differ in figures
+/// alone.
+record::Record record_of(const Warnings& warnings);
 
 /// A result that is asked by path, "patches/0/Fn". Its records are made once, when a path first needs them:
 /// most paths need no fields. The result must outlive this, and stay where it is.
@@ -47,5 +54,6 @@ record::Content stresses_of(const std::optional<StressesBelow>& stresses);
 /// The same of a comparison: at_equal_forces/MODEL and at_equal_position/MODEL, each with `difference` (what
 /// the reference has more, over its scale), and creep_forces.
 record::Record record_of(const Comparison& comparison, const RecordParts& parts = {});
+record::Record record_of(const Comparison&& comparison, const RecordParts& parts = {}) = delete;
 
 } // namespace bem_contact

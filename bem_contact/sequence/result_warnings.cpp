@@ -8,7 +8,6 @@
 #include "bem_contact/sequence/uncertified.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -34,17 +33,18 @@ constexpr double largest_creepage = 0.1;
 /// the top, and worn flanges touch little lower.
 constexpr double head_depth = 18.0;
 
-void warn_of_yield(const ContactSetup& setup, double pmax, std::vector<std::string>& out) {
+void warn_of_yield(const ContactSetup& setup, double pmax, Warnings& out) {
   const double softer = std::min(setup.rail.material.young(), setup.wheel.material.young());
   if (softer > least_steel_modulus && pmax > yield_factor * yield_strength)
-    out.push_back(fmt::format("the largest pressure is above three times the yield strength of usual steels "
-                              "({:.0f} MPa, 3 x {:g} MPa) Take it as an elastic result: steel flows there.",
-                              pmax, double(yield_strength)));
+    out.add(WarningKind::yield,
+            fmt::format("the largest pressure is above three times the yield strength of usual steels "
+                        "({:.0f} MPa, 3 x {:g} MPa) Take it as an elastic result: steel flows there.",
+                        pmax, double(yield_strength)));
 }
 
 /// The mean over the contact of the rigid slip, in which yaw and spin are. A shift has lengths in place of
 /// creepages.
-void warn_of_creepage(const SceneResult& r, std::vector<std::string>& out) {
+void warn_of_creepage(const SceneResult& r, Warnings& out) {
   const ContactProblem& problem = r.problem;
   if (!problem.has_friction() || problem.motion == MotionKind::shift)
     return;
@@ -59,9 +59,10 @@ void warn_of_creepage(const SceneResult& r, std::vector<std::string>& out) {
   const double xi = r.result.totals.creepage_x + x / std::max(contact, 1);
   const double eta = r.result.totals.creepage_s + s / std::max(contact, 1);
   if (std::hypot(xi, eta) > largest_creepage)
-    out.push_back(fmt::format("the creepage is above 10 % (along x {:.3g}, along s {:.3g}) Check motion and "
-                              "position: creepages are ratios, and 0.001 is usual.",
-                              xi, eta));
+    out.add(WarningKind::large_creepage,
+            fmt::format("the creepage is above 10 % (along x {:.3g}, along s {:.3g}) Check motion and "
+                        "position: creepages are ratios, and 0.001 is usual.",
+                        xi, eta));
 }
 
 /// First and last element of a set, along x and s.
@@ -83,7 +84,7 @@ Span span_of(const std::vector<int>& elements, int mx) {
 }
 
 /// Patches that bear little of the load are left out: they matter little.
-void warn_of_large_elements(const SceneResult& r, std::vector<std::string>& out) {
+void warn_of_large_elements(const SceneResult& r, Warnings& out) {
   const ContactGrid& grid = r.problem.grid;
   const std::vector<std::vector<int>> elements = patch_elements(r.problem, r.result);
   for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -94,18 +95,20 @@ void warn_of_large_elements(const SceneResult& r, std::vector<std::string>& out)
     const int x = span.along_x(), s = span.along_s();
     const bool coarse_x = grid.mx > 1 && x<fewest_across, coarse_s = grid.ms> 1 && s < fewest_across;
     if (coarse_x || coarse_s)
-      out.push_back(fmt::format("the elements are too large for this contact (patch {}: {:.3g} of {:.3g} mm "
-                                "along {}) Give smaller grid.dx and grid.ds.",
-                                i + 1, coarse_x ? grid.dx : grid.ds, coarse_x ? x * grid.dx : s * grid.ds,
-                                coarse_x ? "x" : "s"));
+      out.add(WarningKind::large_elements,
+              fmt::format("the elements are too large for this contact (patch {}: {:.3g} of {:.3g} mm "
+                          "along {}) Give smaller grid.dx and grid.ds.",
+                          i + 1, coarse_x ? grid.dx : grid.ds, coarse_x ? x * grid.dx : s * grid.ds,
+                          coarse_x ? "x" : "s"));
     else if (grid.mx > 1 && grid.ms > 1 && patch.contact < least_elements_of_patch)
-      out.push_back(fmt::format("the elements are too large for this contact (patch {} has {}, {} are needed "
-                                "for errors of a few per cent) Give smaller grid.dx and grid.ds.",
-                                i + 1, patch.contact, int(least_elements_of_patch)));
+      out.add(WarningKind::large_elements,
+              fmt::format("the elements are too large for this contact (patch {} has {}, {} are needed "
+                          "for errors of a few per cent) Give smaller grid.dx and grid.ds.",
+                          i + 1, patch.contact, int(least_elements_of_patch)));
   }
 }
 
-void warn_of_head(const ContactCase& asked, const SceneResult& r, std::vector<std::string>& out) {
+void warn_of_head(const ContactCase& asked, const SceneResult& r, Warnings& out) {
   const WheelRailGeometry* placed = asked.setup.wheel_rail();
   if (!placed || !asked.estimate || asked.estimate->slices.empty() || r.result.patches.empty())
     return;
@@ -125,38 +128,40 @@ void warn_of_head(const ContactCase& asked, const SceneResult& r, std::vector<st
     wheel_end = wheel_end || (!r.bodies.wheel_s.empty() && near(placed->pair.wheel, r.bodies.wheel_s[is]));
   }
   if (rail_end || wheel_end)
-    out.push_back(
-        fmt::format("the contact reaches the end of the {}'s profile ({:.1f} mm below the top of the "
-                    "rail) Give a longer profile, or check position.lateral.",
-                    rail_end ? "rail" : "wheel", deepest - top));
+    out.add(WarningKind::end_of_profile,
+            fmt::format("the contact reaches the end of the {}'s profile ({:.1f} mm below the top of the "
+                        "rail) Give a longer profile, or check position.lateral.",
+                        rail_end ? "rail" : "wheel", deepest - top));
   else if (deepest - top > head_depth)
-    out.push_back(
-        fmt::format("the contact lies beyond the rail's head ({:.1f} mm below the top of the rail; "
-                    "contact is usual to {:g} mm) Check position.lateral and the frames of the profiles.",
-                    deepest - top, double(head_depth)));
+    out.add(WarningKind::beyond_head,
+            fmt::format("the contact lies beyond the rail's head ({:.1f} mm below the top of the rail; "
+                        "contact is usual to {:g} mm) Check position.lateral and the frames of the profiles.",
+                        deepest - top, double(head_depth)));
 }
 
 /// A jump of friction has no limit as elements shrink: which element slips first decides.
-void warn_of_kinetic_friction(const ContactProblem& problem, std::vector<std::string>& out) {
+void warn_of_kinetic_friction(const ContactProblem& problem, Warnings& out) {
   if (problem.kinetic < 1)
-    out.push_back(
+    out.add(
+        WarningKind::friction_jump,
         "motion.kinetic_friction: friction that drops at once gives results that depend on the size of the "
         "elements. Try another size, or let it fall with the slip velocity (motion.falling_friction).");
 }
 
-void warn_of_convergence(const ContactResult& r, std::vector<std::string>& out) {
+void warn_of_convergence(const ContactResult& r, Warnings& out) {
   if (r.trust.discretisation && !r.trust.discretisation->converges)
-    out.push_back(fmt::format("the pressure does not converge with the size of the elements ({}) {}",
-                              why_not_convergent(r),
-                              r.trust.discretisation->rough
-                                  ? "Smooth the profiles (rail.smoothing, wheel.smoothing)."
-                                  : "Give smaller grid.dx and grid.ds, or smooth a profile that is noisy."));
+    out.add(WarningKind::no_convergence,
+            fmt::format("the pressure does not converge with the size of the elements ({}) {}",
+                        why_not_convergent(r),
+                        r.trust.discretisation->rough
+                            ? "Smooth the profiles (rail.smoothing, wheel.smoothing)."
+                            : "Give smaller grid.dx and grid.ds, or smooth a profile that is noisy."));
 }
 
 } // namespace
 
-std::vector<std::string> result_warnings(const ContactCase& asked, const SceneResult& r) {
-  std::vector<std::string> out;
+Warnings result_warnings(const ContactCase& asked, const SceneResult& r) {
+  Warnings out;
   if (!r.result.certified())
     return out;
   warn_of_yield(asked.setup, r.result.totals.pmax, out);
@@ -171,12 +176,14 @@ std::vector<std::string> result_warnings(const ContactCase& asked, const SceneRe
 
 void warn_of_model(SceneResult& out) {
   if (!out.choice.enough)
-    out.warnings.push_back("the finite-element model is needed here: " + out.choice.why_this_model);
+    out.warnings.add(WarningKind::model_needed,
+                     "the finite-element model is needed here: " + out.choice.why_this_model);
 }
 
-void take_choice(const SceneResult& chosen, SceneResult& out) {
-  out.choice.why_this_model = chosen.choice.why_this_model;
-  out.choice.enough = chosen.choice.enough;
+void take_choice(const ModelChoice& chosen, SceneResult& out) {
+  const Model model = out.choice.model;
+  out.choice = chosen;
+  out.choice.model = model;
   warn_of_model(out);
 }
 
@@ -184,7 +191,8 @@ void warn_of_accuracy(const SceneFile::Grid& asked, const std::string& why, Scen
   const double error = asked_error(asked, out.result);
   if (!asked.accuracy || !out.result.certified() || error <= *asked.accuracy)
     return;
-  out.warnings.push_back(
+  out.warnings.add(
+      WarningKind::missed_accuracy,
       fmt::format("the estimated discretisation error reached is {:.2g} %, above the {:.2g} % that "
                   "grid.accuracy asks for ({} elements in contact; {})",
                   100 * error, 100 * *asked.accuracy, count_elements(out.result).contact, why));
@@ -195,17 +203,20 @@ void warn_of_lateral(const SceneFile& asked, std::optional<double> at_start, Sce
   if (std::isnan(found.lateral.error)) {
     const double likely_error = lateral::uneven * std::hypot(out.result.totals.Fy, out.result.totals.Fz);
     if (likely_error > lateral::unsure * std::abs(found.slope))
-      out.warnings.push_back(fmt::format(
-          "load.force_y says little of the lateral displacement (Fy changes by {:.3g} N per mm at "
-          "{:.2f} mm, and its error is not known) Give position.lateral without load.force_y, or "
-          "smaller elements.",
-          found.slope, found.lateral.value));
+      out.warnings.add(
+          WarningKind::unsure_position,
+          fmt::format(
+              "load.force_y says little of the lateral displacement (Fy changes by {:.3g} N per mm at "
+              "{:.2f} mm, and its error is not known) Give position.lateral without load.force_y, or "
+              "smaller elements.",
+              found.slope, found.lateral.value));
     return;
   }
   if (found.lateral.error <= lateral::unsure)
     return;
   const double force_error = out.result.totals.Fy.error;
-  out.warnings.push_back(
+  out.warnings.add(
+      WarningKind::unsure_position,
       fmt::format("load.force_y says little of the lateral displacement (Fy is known to {:.2g} N and changes "
                   "by {:.3g} N per "
                   "mm: {:.2f} +- {:.2g} mm) Give position.lateral without load.force_y, or smaller elements.",
@@ -213,40 +224,10 @@ void warn_of_lateral(const SceneFile& asked, std::optional<double> at_start, Sce
   const double start = asked.position.lateral;
   if (at_start && std::abs(*at_start - *asked.load.force_y) <= force_error &&
       std::abs(start - found.lateral) > found.lateral.error)
-    out.warnings.push_back(
-        fmt::format("position.lateral bears load.force_y within its error, too (Fy {:.6g} N at "
-                    "{:.2f} mm) Solve it without load.force_y if it is meant.",
-                    *at_start, start));
-}
-
-std::vector<std::string> once_each(const std::vector<PlacedWarning>& warnings) {
-  struct Group {
-    std::string words, text;
-    std::vector<std::string> places, others; ///< of this text; of other figures
-  };
-  std::vector<Group> groups;
-  for (const PlacedWarning& w : warnings) {
-    std::string words = w.text;
-    std::erase_if(words, [](unsigned char c) { return std::isdigit(c) || c == '.' || c == '-' || c == '+'; });
-    const auto known = std::ranges::find(groups, words, &Group::words);
-    if (known == groups.end())
-      groups.push_back({words, w.text, {w.place}, {}});
-    else
-      (known->text == w.text ? known->places : known->others).push_back(w.place);
-  }
-  std::vector<std::string> out;
-  for (const Group& g : groups)
-    out.push_back(fmt::format("{}: {}", fmt::join(g.places, ", "), g.text) +
-                  (g.others.empty() ? ""
-                                    : fmt::format(" [{} more with other figures: {}]", g.others.size(),
-                                                  fmt::join(g.others, ", "))));
-  return out;
-}
-
-void refuse_warnings(const std::vector<std::string>& warnings) {
-  if (!warnings.empty())
-    throw InputError(fmt::format("{}", fmt::join(warnings, "; ")), "warnings are taken as errors here",
-                     "Mend what they say, or do not ask for strictness.");
+    out.warnings.add(WarningKind::other_position,
+                     fmt::format("position.lateral bears load.force_y within its error, too (Fy {:.6g} N at "
+                                 "{:.2f} mm) Solve it without load.force_y if it is meant.",
+                                 *at_start, start));
 }
 
 } // namespace bem_contact

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <algorithm>
+#include "bem_contact/scene/warning.hpp"
+
 #include <string>
 #include <vector>
 
@@ -10,14 +11,12 @@ namespace bem_contact {
 struct SceneDescription {
   /// Touch points, estimate, load, grid, friction, influence files and the strips that they need, model.
   std::vector<std::string> lines;
-  std::vector<std::string> warnings; ///< input_warnings()
+  Warnings warnings; ///< input_warnings()
 
   /// All lines, and the warnings that are not there yet.
   void add(const SceneDescription& other) {
     lines.insert(lines.end(), other.lines.begin(), other.lines.end());
-    for (const std::string& warning : other.warnings)
-      if (std::ranges::find(warnings, warning) == warnings.end())
-        warnings.push_back(warning);
+    warnings.add(other.warnings);
   }
 };
 

@@ -6,6 +6,7 @@
 #include "bem_contact/geometry/conformity.hpp"
 #include "bem_contact/geometry/rigid_slip.hpp"
 #include "bem_contact/scene/choices.hpp"
+#include "bem_contact/scene/warning.hpp"
 #include "bem_contact/sequence/patch_place.hpp"
 #include "bem_contact/sequence/stresses.hpp"
 #include "bem_contact/sequence/structural_result.hpp"
@@ -67,7 +68,8 @@ struct LateralPosition {
 struct ModelChoice {
   Model model = Model::halfspace; ///< the one
   std::string why_this_model;     ///< in words
-  bool enough = true; ///< false: fem would be needed, and it cannot be taken; `why_this_model` says why
+  bool enough = true;   ///< false: fem would be needed, and it cannot be taken; `why_this_model` says why
+  bool by_turn = false; ///< chosen by how far the normal turns within the patch, among models with numbers
 };
 
 /// Where the wheel stands, and how it moves over the rail.
@@ -117,9 +119,9 @@ struct SceneResult {
   /// Says in words: the approach is the relative displacement of these points of the two bodies. Approaches
   /// with different datums must not be compared.
   std::string approach_datum;
-  std::string track;                 ///< where wheel and rail stand (track_text()); "" of a patch
-  std::vector<std::string> warnings; ///< what to know before the numbers are used
-  PhaseSeconds seconds;              ///< what the call took
+  std::string track;    ///< where wheel and rail stand (track_text()); "" of a patch
+  Warnings warnings;    ///< what to know before the numbers are used
+  PhaseSeconds seconds; ///< what the call took
 };
 
 /// Mz about the vertical axis through the reference point with its error, N mm.

@@ -60,6 +60,11 @@ SceneFile rough_scene(const SceneFile& scene) {
   return rough;
 }
 
+/// Whether model or elements are chosen by a solution.
+bool chooses(const SceneFile& scene) {
+  return !scene.solver.model || scene.grid.elements || scene.grid.accuracy;
+}
+
 std::optional<double> lateral_force_of(const SceneResult& solved) {
   const bool known = solved.result.certified() && !solved.result.patches.empty();
   return known ? std::optional(solved.result.totals.Fy) : std::nullopt;
@@ -85,11 +90,26 @@ private:
     SceneFile rough, exact; ///< the scenes solved, without load.force_y
     KnownLateralForces known;
   };
+  /// What a search for a lateral displacement keeps all the way.
+  struct LateralWay {
+    SceneFile scene; ///< without load.force_y; one model and the same elements
+    std::optional<SceneResult> chosen =
+        {}; ///< by which model and elements were chosen, if they were not given
+    std::string limit = "all displacements are tried on the elements of the first one"; ///< of the accuracy
+  };
 
   SolveResources resources(WorkBudget& work);
   SceneResult solve_at_position(const SceneFile& scene, const SceneTask& task);
   SceneResult solve_at_lateral_force(const SceneFile& scene, const SceneTask& task);
   std::optional<double> rough_lateral_force(SceneFile scene, double lateral, const SceneTask& task);
+  LateralMemory& lateral_memory(const SceneFile& rough);
+  /// At position.lateral, if that may bear the force and has a solution.
+  std::optional<SceneResult> solve_at_start(const SceneFile& scene, LateralSearch& search,
+                                            const SceneTask& task);
+  LateralWay lateral_way(const SceneFile& scene, const std::optional<SceneResult>& first, double guess,
+                         const SceneTask& task);
+  /// The displacement that bears the force, mm.
+  double found_lateral(const SceneFile& scene, LateralSearch& search, const SceneTask& task);
   SceneResult solve_steady_rolling(const ContactCase& asked, const SceneTask& task);
   const FormerSolution* start_for(const std::vector<PotentialArea>& areas, const SceneFile::Grid& grid) const;
   void remember(const SceneResult& result, const ContactEstimate& estimate);
@@ -214,29 +234,67 @@ std::optional<double> Sequence::Impl::rough_lateral_force(SceneFile scene, doubl
   return std::nullopt;
 }
 
+Sequence::Impl::LateralMemory& Sequence::Impl::lateral_memory(const SceneFile& rough) {
+  if (!lateral_ || lateral_->rough != rough)
+    lateral_.emplace().rough = rough;
+  return *lateral_;
+}
+
+std::optional<SceneResult> Sequence::Impl::solve_at_start(const SceneFile& scene, LateralSearch& search,
+                                                          const SceneTask& task) {
+  try {
+    if (search.start_may_bear())
+      return solve_at_position(with_lateral(scene, scene.position.lateral), task);
+  } catch (const InputError&) { // the search may lead to where there is a solution
+  } catch (const ConvergenceError&) {
+  }
+  return std::nullopt;
+}
+
+Sequence::Impl::LateralWay Sequence::Impl::lateral_way(const SceneFile& scene,
+                                                       const std::optional<SceneResult>& first, double guess,
+                                                       const SceneTask& task) {
+  LateralWay out{scene};
+  out.scene.load.force_y.reset();
+  if (!chooses(scene))
+    return out;
+  out.chosen = first && std::abs(guess - scene.position.lateral) <= lateral::spacing
+                   ? first
+                   : solve_at_position(with_lateral(scene, guess), task);
+  const ContactGrid& grid = out.chosen->problem.grid;
+  out.scene = with_elements(with_model(std::move(out.scene), out.chosen->choice.model), grid.dx, grid.ds);
+  if (scene.grid.accuracy && asked_error(scene.grid, out.chosen->result) > *scene.grid.accuracy)
+    out.limit = element_size_.limit(grid.dx);
+  return out;
+}
+
+double Sequence::Impl::found_lateral(const SceneFile& scene, LateralSearch& search, const SceneTask& task) {
+  SceneTask totals = task;
+  totals.totals_only = true;
+  const auto force_at = [&](double at) {
+    return lateral_force_of(solve_at_position(with_lateral(scene, at), totals));
+  };
+  return search.find([&](double at) -> std::optional<double> {
+    try {
+      if (const std::optional<double> force = force_at(at))
+        return force;
+    } catch (const ConvergenceError&) {
+    }
+    former_.reset(); // a start that lies elsewhere on a steep flange may lead nowhere
+    return force_at(at);
+  });
+}
+
 SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const SceneTask& task) {
   const Stopwatch searching;
   const double wanted = *scene.load.force_y, start = scene.position.lateral;
-  const SceneFile rough = rough_scene(scene);
-  if (!lateral_ || lateral_->rough != rough)
-    lateral_.emplace().rough = rough;
-  LateralMemory& memory = *lateral_;
+  LateralMemory& memory = lateral_memory(rough_scene(scene));
   LateralSearch search(
       {wanted, start, std::hypot(wanted, *scene.load.force)},
-      [&](double lateral) { return rough_lateral_force(rough, lateral, task); }, memory.known);
-  const bool choose = !scene.solver.model || scene.grid.elements || scene.grid.accuracy;
+      [&](double lateral) { return rough_lateral_force(memory.rough, lateral, task); }, memory.known);
   SceneTask choosing = task;
-  choosing.lateral_force = choose;
-  const auto at_start = [&]() -> std::optional<SceneResult> {
-    try {
-      if (search.start_may_bear())
-        return solve_at_position(with_lateral(scene, start), choosing);
-    } catch (const InputError&) { // the search may lead to where there is a solution
-    } catch (const ConvergenceError&) {
-    }
-    return std::nullopt;
-  };
-  const std::optional<SceneResult> first = at_start();
+  choosing.lateral_force = chooses(scene);
+  const std::optional<SceneResult> first = solve_at_start(scene, search, choosing);
   const std::optional<double> force_there = first ? lateral_force_of(*first) : std::nullopt;
   const bool is_there = force_there && search.met(*force_there);
   const auto tell = [&](SceneResult& out, double lateral) {
@@ -252,49 +310,21 @@ SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const
     describe_case(prepare(with_lateral(scene, start),
                           {.read_influence = true})); // a scene that cannot be solved anywhere says why
 
-  SceneFile asked = scene;
-  asked.load.force_y.reset();
-  std::optional<SceneResult> chosen;
-  std::string limit = "all displacements are tried on the elements of the first one";
-  if (choose) { // the same model and elements all the way
-    const double guess = search.guess();
-    chosen = first && std::abs(guess - start) <= lateral::spacing
-                 ? first
-                 : solve_at_position(with_lateral(scene, guess), choosing);
-    const ContactGrid& grid = chosen->problem.grid;
-    asked = with_elements(with_model(std::move(asked), chosen->choice.model), grid.dx, grid.ds);
-    if (scene.grid.accuracy && asked_error(scene.grid, chosen->result) > *scene.grid.accuracy)
-      limit = element_size_.limit(grid.dx);
-  }
-  SceneFile on_the_way = asked;
+  const LateralWay way = lateral_way(scene, first, chooses(scene) ? search.guess() : start, choosing);
+  SceneFile on_the_way = way.scene;
   on_the_way.motion.free_rolling = false;
   if (memory.exact != on_the_way)
     memory.known.exact.clear();
   memory.exact = on_the_way;
-  if (force_there && (!choose || chosen->motion.lateral == start))
+  if (force_there && (!way.chosen || way.chosen->motion.lateral == start))
     search.learn({start, *force_there});
-  SceneTask totals = task;
-  totals.totals_only = true;
-  const auto force_at = [&](double at) {
-    return lateral_force_of(solve_at_position(with_lateral(on_the_way, at), totals));
-  };
-  const double lateral = search.find([&](double at) -> std::optional<double> {
-    try {
-      if (const std::optional<double> force = force_at(at))
-        return force;
-    } catch (const ConvergenceError&) {
-    }
-    former_.reset(); // a start that lies elsewhere on a steep flange may lead nowhere
-    return force_at(at);
-  });
-
-  const double searched = searching.seconds();
-  SceneResult out = solve_at_position(with_lateral(asked, lateral), task);
+  const double lateral = found_lateral(on_the_way, search, task), searched = searching.seconds();
+  SceneResult out = solve_at_position(with_lateral(way.scene, lateral), task);
   out.seconds.search = searched;
-  if (chosen)
-    take_choice(*chosen, out);
+  if (way.chosen)
+    take_choice(way.chosen->choice, out);
   tell(out, lateral);
-  warn_of_accuracy(scene.grid, limit, out);
+  warn_of_accuracy(scene.grid, way.limit, out);
   return out;
 }
 

@@ -19,8 +19,8 @@ constexpr double compared_distance = 16.0;
 /// 1. Equal steps along the strip between stations that are compared: with the neighbours of three of them at
 /// most 64 stations, so that a companion costs a sixth of the run.
 constexpr int compared_steps = 24;
-/// 1. The mesh's error is stated larger by this factor. The true error was .9 to 1.2 of what the ratio of two
-/// meshes says (block, disc, rail, wheel), and 1.8 on meshes that are far too coarse.
+/// 1. The mesh's error is stated larger by this factor. The true error was 0.9 to 1.2 of what the ratio of
+/// two meshes says (block, disc, rail, wheel), and 1.8 on meshes that are far too coarse.
 constexpr double mesh_error_margin = 1.8;
 /// 1. How much larger the error of degree 1 is taken than that of degree 2. The limit would be 2^4, but
 /// degree 1 is far from the limit (block, disc, rail, wheel).

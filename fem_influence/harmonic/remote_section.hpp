@@ -15,10 +15,10 @@ namespace bem_contact::fem {
 /// rows 3 node + component.
 ///
 /// The remote section lies between one and two times `distance` D from the strip, weighted with
-/// sin^2(pi (d / D - 1)) at the distance d from the nearest station's centre. D in mm; 0: 20 mm, or .8 of the
-/// root of the section's mean square distance where that is less. The section is near enough to move with the
-/// material under the strip when web, foot or disc bend, and far enough to be out of the contact's own field.
-/// Throws InputError where no cell is that far.
+/// sin^2(pi (d / D - 1)) at the distance d from the nearest station's centre. D in mm; 0: 20 mm, or 0.8 of
+/// the root of the section's mean square distance where that is less. The section is near enough to move with
+/// the material under the strip when web, foot or disc bend, and far enough to be out of the contact's own
+/// field. Throws InputError where no cell is that far.
 SparseColumns remote_functionals(const Section& section, std::span<const Station> stations, double distance);
 
 } // namespace bem_contact::fem

@@ -9,7 +9,7 @@ namespace bem_contact::fem::settings {
 // --- MUMPS ---
 
 /// 1. Right-hand sides that are solved at once. Blocks of 64 to 128 made a solve eight times cheaper than one
-/// at a time (138 000 unknowns: .019 s instead of .15 s); larger blocks only cost memory.
+/// at a time (138 000 unknowns: 0.019 s instead of 0.15 s); larger blocks only cost memory.
 BEM_CONTACT_TUNED(int, solve_block, 128);
 
 // --- The mesh against the profile and the strip ---
@@ -19,7 +19,7 @@ BEM_CONTACT_TUNED(int, solve_block, 128);
 BEM_CONTACT_TUNED(double, on_profile, 1e-6);
 
 /// 1, of the edge's length. The middle of an edge along the profile is no farther from it. The sagitta of an
-/// edge that turns by 15 degrees is .033 of its length; an edge of another body or in another frame is
+/// edge that turns by 15 degrees is 0.033 of its length; an edge of another body or in another frame is
 /// farther.
 BEM_CONTACT_TUNED(double, edge_off_profile, 0.1);
 
@@ -30,7 +30,7 @@ BEM_CONTACT_TUNED(double, vanishing_shape, 1e-12);
 
 /// mm. Default distance of the remote section from the strip: far enough to be out of the contact's own
 /// field, near enough to move with the material under the strip when web, foot or disc bend. Doubling a
-/// block's size changes the numbers without its motion by less than .2 % of self then (test_run.cpp).
+/// block's size changes the numbers without its motion by less than 0.2 % of self then (test_run.cpp).
 BEM_CONTACT_TUNED(double, remote_distance, 20.0);
 
 // --- harmonic: wavenumbers (THEORY.md, 7) ---

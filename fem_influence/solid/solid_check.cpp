@@ -14,7 +14,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// mm. Ends of the bands of distance in which differences are reported (about 3, 9 and 32 elements of .5 mm).
+/// mm. Ends of the bands of distance in which differences are reported (about 3, 9 and 32 elements of 0.5
+/// mm).
 constexpr double near_band = 1.6;
 constexpr double middle_band = 4.5;
 constexpr double far_band = 16.0;

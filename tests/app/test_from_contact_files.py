@@ -3,6 +3,7 @@
 are broken in many ways. Reads the program from BEM_CONTACT."""
 
 import json
+import math
 import os
 import random
 import re
@@ -29,6 +30,22 @@ BALL = """ 3 MODULE
  1 1                        IBASE, IPLAN
  0.01 0.0 0.01 0 0 0        B1..B6
 """
+WHEEL = f""" 1 MODULE
+ 1203100   C-P-B-T-N-F-S
+ 0022033   V-L-D-C-M-Z-E
+ 0101111   H-G-I-A-O-W-R
+ 0.3 0.3                    FSTAT, FKIN
+ 0.28 0.28 82000. 82000.    POISS, GG
+ 0.4 0.4 1.0 90d 8.0 4.0    DX, DS, DQREL, A_SEP, D_SEP, D_COMB
+ 14. 0 1435. 0.025          GAUGHT, GAUGSQ, GAUGWD, CANT
+ '{ROOT}/data/bodies/worn_rail.txt' 0 1. 0.       RFNAME, MIRRORY, SCALE, SMOOTH
+ 0. 0. 0.   0. 0. 0.        DY, DZ, ROLL
+ 1360. -70. 460.            FBDIST, FBPOS, NOMRAD
+ '{ROOT}/data/bodies/hollow_wheel.txt' 0 1. 0.    WFNAME, MIRRORY, SCALE, SMOOTH
+ 0. 2.0 80000. 0.01 0. 0.   S, Y, FZ, ROLL, YAW, PITCH
+ 20000. 0. 0. 0. 0. -43.4   VS, VY, VZ, VROLL, VYAW, VPITCH
+"""
+SAME_WHEEL = " 1 MODULE\n 1203100\n 0111000\n 0101111\n"  # all is kept
 END = " 0 MODULE\n"
 
 
@@ -72,6 +89,13 @@ class Conversion(unittest.TestCase):
         done = run("solve", self.folder / stem / entry["scene"], "--json")
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)["quantities"]
+
+    def changed(self, text: str, *replaced: tuple, case: int = 0) -> dict:
+        """The keys of a case of the text, of which words are replaced."""
+        for old, new in replaced:
+            self.assertIn(old, text)
+            text = text.replace(old, new, 1)
+        return self.keys(self.convert_text(text + END)[case])
 
     def refused(self, entry: dict, words: str):
         self.assertEqual(entry["scene"], "")
@@ -144,10 +168,10 @@ class FromContact(Conversion):
         self.assertIn("'7' stands behind FSTAT, FKIN", " ".join(entry["left_out"]))
 
     def test_two_hundred_mutated_files(self):
-        """A file with one word changed, removed or doubled: an error with its line, or a reading that says what it took."""
+        """A file with one word changed, removed or doubled: an error with its line, or the problem that CONTACT reads there."""
         rng = random.Random(66)
         words = [m.span() for m in re.finditer(r"[^\s,]+", BALL)]
-        broken = 0
+        broken = same = 0
         for _ in range(200):
             begin, end = rng.choice(words)
             new = rng.choice(["", "x", "-", "1e999", "0.1-07", "nan", "'", "%", "9999999999", "-1", "1,2", BALL[begin:end] * 2])
@@ -159,7 +183,159 @@ class FromContact(Conversion):
             if result["broken"]:
                 broken += 1
                 self.assertRegex(result["broken"], r"m\.inp:\d+: |has no case", file.read_text())
+            first = result["cases"].get("00001")
+            if first and first["scene"]:
+                expected = ball_as_contact_reads_it(file.read_text())
+                keys = self.keys(first, "m")
+                same += bool(expected)
+                for key, value in expected.items():
+                    self.assertAlmostEqual(keys[key], value, delta=1e-9 * abs(value), msg=f"{key}\n{file.read_text()}")
         self.assertGreater(broken, 40)
+        self.assertGreater(same, 100)
+
+
+def ball_as_contact_reads_it(text: str) -> dict:
+    """The keys of the first case of a mutated BALL, read as slowly and plainly as can be. Empty where its digits changed."""
+    lines = [words for line in text.splitlines() if (words := re.split(r"[\s,=]+", line.split("%")[0].strip())) != [""]]
+
+    def take(count: int, more: int = 0) -> list:
+        """The next numbers, which go on over as many lines as they need; on the last line more of them may stand before a
+        remark."""
+        found = []
+        while len(found) < count:
+            words = lines.pop(0)
+            found, rest = found + [real(word) for word in words[:count - len(found)]], words[count - len(found):]
+        for word in rest[:more]:
+            try:
+                found.append(real(word))
+            except ValueError:
+                break
+        return found
+
+    def real(word: str) -> float:
+        degrees, word = word.endswith("d"), word.removesuffix("d")
+        if not re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+)([ed]?[+-]?\d+)?", word):
+            raise ValueError(word)
+        value = float(re.sub(r"(?<=[\d.])(?=[+-]\d)", "e", word.replace("d", "e")))
+        return value * 3.141592653589793 / 180 if degrees else value
+
+    if [take(1)[0] for _ in range(4)] != [3, 203100, 22020, 101111]:
+        return {}
+    fn, ksi, eta, phi, x0, y0 = (take(4, more=2) + [0.0, 0.0])[:6]
+    friction, step_speed, material = take(2), take(3), take(4)
+    if take(1) != [1.0]:
+        return {}
+    mx, my, xl, yl, dx, dy = take(6)
+    x, y = xl + mx * dx / 2, yl + my * dy / 2
+    return {"load.force": fn, "motion.xi": phi * (y - y0) - ksi, "motion.eta": -eta - phi * (x - x0), "motion.phi": -phi,
+            "motion.friction": friction[0], "motion.speed": step_speed[2], "rail.material.poisson": material[0],
+            "wheel.material.poisson": material[1], "rail.material.shear_modulus": material[2],
+            "wheel.material.shear_modulus": material[3], "grid.mx": mx, "grid.ms": my, "grid.dx": dx, "grid.ds": dy}
+
+
+class SilentKinds(Conversion):
+    """Ways in which a scene was another problem without a word."""
+
+    def test_a_number_where_a_remark_may_stand(self):
+        curve = self.changed(WHEEL, ("0.025  ", "0.025 6.6667e-6"))
+        self.assertAlmostEqual(curve["track.curve_radius"], 1 / 6.6667e-6, delta=1)
+        tape = self.changed(WHEEL, ("-70. 460.", "-70. 460. 1.5"))
+        self.assertEqual(tape["position.tape_circle"], 71.5)
+        self.assertEqual(tape["position.back_to_back"], 1360)
+        up = self.changed(WHEEL, ("hollow_wheel.txt' 0 1. 0.", "hollow_wheel.txt' 0 1. 0. 1"))
+        self.assertEqual(up["wheel.profile_z"], "up")
+        self.assertEqual(self.changed(WHEEL, ("worn_rail.txt' 0 1.", "worn_rail.txt' 0 1000."), ("14. 0", "-1 0"))["rail.unit"], "m")
+        self.assertEqual(self.changed(WHEEL, ("1360. -70.", "1358. -70."))["wheel.y"], 749)
+
+    def test_what_ends_with_its_digit(self):
+        layer = BALL.replace("022020", "022420").replace("POISS, GG", "\n 8200. 0.05 0. 0. GG3, LAYTHK, TAU_C0, K_TAU")
+        self.assertIn("layer.thickness", self.changed(layer))
+        self.assertNotIn("layer.thickness", self.changed(layer + BALL, case=1))
+        sheet = BALL.replace("203100", "213100").replace("POISS, GG", "\n 1e-5 FLX_Z")
+        self.assertIn("layer.normal_compliance", self.changed(sheet))
+        self.assertNotIn("layer.normal_compliance", self.changed(sheet + BALL, case=1))
+        absolute = WHEEL.replace("14. 0 1435.", "-1. 756. 0.").replace("worn_rail.txt' 0 1.", "worn_rail.txt' 0 1000.")
+        second = self.changed(absolute + WHEEL, case=1)
+        self.assertEqual(second["position.gauge"], 1435)
+        self.assertEqual(second["rail.unit"], "mm")
+        self.assertNotIn("rail.place", second)
+
+    def test_what_stays(self):
+        """Z = 1 and E = 1 keep the distance and the slip of a patch, C = 0 keeps C = 4, and each result element its own."""
+        tables = (BALL.replace("022020", "022029").replace("40 40 -4.0", "2 2 -4.0").replace("0 0 0        B1..B6", "0 0.1 0\n 1 2 3 4 5 6 7 8"))
+        kept = tables + " 3 MODULE\n 203100\n 100011\n 0101111\n 5000. -0.001 0.0005 0.0004\n"
+        for key in ("gap.table", "motion.slip_table"):
+            self.assertIn(key, self.changed(kept, case=1))
+        self.assertEqual(self.changed(WHEEL.replace("0022033", "0024033").replace("POISS, GG", "\n", 1).replace(
+            " 0.28 0.28", " 1 1 IF_METH, VARIANT\n 0.28 0.28", 1) + SAME_WHEEL, case=1)["solver.model"], "tangent_plane")
+        one, two = BALL.replace(" 3 MODULE", " 3 1 MODULE"), BALL.replace(" 3 MODULE", " 3 2 MODULE").replace("0.3 0.3", "0.1 0.1")
+        again = " 3 1 MODULE\n 203100\n 100000\n 0101111\n 5000. -0.001 0.0005 0.0004\n"
+        self.assertEqual(self.changed(one + two + again, case=2)["motion.friction"], 0.3)
+
+    def test_a_shift_of_the_wheelset(self):
+        self.assertEqual(self.changed(WHEEL, ("1203100", "1201100"), ("20000. 0. 0. 0. 0. -43.4", "0.02 0. 0. 0. 0. 0."))["motion.xi"], 0.02)
+
+    def test_a_height_is_no_load(self):
+        keys = self.changed(WHEEL, ("1203100", "1203000"), ("2.0 80000.", "2.0 0.128"))
+        self.assertEqual(keys["position.vertical"], 0.128)
+        self.assertNotIn("load.force", keys)
+
+    def test_planes_and_curved_surfaces(self):
+        self.assertIs(self.changed(WHEEL)["grid.planar"], True)
+        self.assertNotIn("grid.planar", self.changed(WHEEL, ("0022033", "0042033")))
+
+    def test_a_left_rail_placed_absolutely(self):
+        """y points to the right there on both sides, and here to the side of the wheel."""
+        self.assertEqual(self.changed(WHEEL, ("14. 0 1435.", "-1. 756. 0."))["rail.y"], 756)
+        left = self.changed(WHEEL, (" 1203100", " 0203100"), ("14. 0 1435.", "-1. -756. 0."))
+        self.assertEqual((left["rail.y"], left["position.side"]), (756, "left"))
+
+    def test_a_mirrored_miniprof_rail(self):
+        """CONTACT takes y of the file as it stands; here it points to the gauge side, and the program turns it by itself."""
+        rail = self.folder / "r.ban"
+        points = (ROOT / "data/bodies/worn_rail.txt").read_text().splitlines()
+        rail.write_text("ColumnDef=X,Y\nXYPoints=9\n\n" + "\n".join(line for line in points if line[:1] != "#") + "\n")
+        text = WHEEL.replace(f"{ROOT}/data/bodies/worn_rail.txt", str(rail)).replace("14. 0 1435.", "-1. 756. 0.")
+        self.assertIs(self.changed(text)["rail.mirror"], True)
+        self.assertNotIn("rail.mirror", self.changed(text, ("r.ban' 0 1.", "r.ban' 1 1.")))
+
+    def test_a_wheel_that_rolls_in_its_wheelset(self):
+        """There about the profile's origin, 460 mm below the centre, and along the axes of a wheelset that rolls by 0.01 rad."""
+        flexible = WHEEL.replace("0022033", "0022035") + " 0. 1.0 0.5 0.02 0. 0.\n 0. 0. 0. 0. 0. 0.\n"
+        keys = self.changed(flexible)
+        along, down, roll = 1 + 460 * math.sin(0.02), 0.5 + 460 * (1 - math.cos(0.02)), 0.01
+        self.assertAlmostEqual(keys["position.wheel_lateral"], along * math.cos(roll) - down * math.sin(roll))
+        self.assertAlmostEqual(keys["position.wheel_vertical"], down * math.cos(roll) + along * math.sin(roll))
+
+    def test_a_refused_law_leaves_no_friction_of_its_own(self):
+        law = BALL.replace("022020", "222020").replace("0.3 0.3 ", "0.2 0.1 100. 0 0\n 0 1 ")
+        second = " 3 MODULE\n 203100\n 100000\n 0101111\n 5000. -0.001 0.0005 0.0004\n"
+        for entry in self.convert_text(law + second + END):
+            self.refused(entry, "L = 2")
+
+
+def hot_force(rows: int = 24) -> float:
+    """Friction of two balls that slide by 5 % at 30 m/s, where it falls from 0.4 to 0.2 between 0 and 200 degrees: Hertz's
+    pressure, heat that enters half-spaces from each row's leading edge on, no elastic slip."""
+    speed, slip, a, p0 = 30000.0, 0.05, 2.3616, 1712.24
+    penetration = math.sqrt(50 * 7850 * 450 * 1e-6)  # of each body, N/(mm s^1/2 K)
+    force = 0.0
+    for j in range(rows):
+        y = a * (2 * (j + 0.5) / rows - 1)
+        half = math.sqrt(a * a - y * y)
+        h, heat = 2 * half / rows, []
+        for i in range(rows):
+            at = (i + 0.5) * h
+            pressure = p0 * math.sqrt(max(0.0, half**2 - (at - half) ** 2)) / a
+            root = [2 * (math.sqrt(at - k * h) - math.sqrt(max(0.0, at - (k + 1) * h))) for k in range(i + 1)]
+            per_heat = 0.5 / (penetration * math.sqrt(math.pi * speed))
+            before, own = per_heat * sum(r * q for r, q in zip(root, heat)), per_heat * root[i] * pressure * slip * speed
+            mu = 0.4 * (1 - before / 400) / (1 + own * 0.4 / 400)  # T = before + own mu, mu = 0.4 - 0.2 T / 200
+            if before + own * mu > 200:
+                mu = 0.2
+            heat.append(mu * pressure * slip * speed)
+            force += mu * pressure * h * 2 * a / rows
+    return force
 
 
 @unittest.skipUnless(FOUND.exists(), "the shared data are not at hand")
@@ -243,8 +419,10 @@ class Found(Conversion):
                     "temperature.rail": 0, "temperature.wheel": 0, "temperature.rail_conductivity": 50,
                     "temperature.wheel_density": 7850, "temperature.rail_heat_capacity": 450}
         self.assertEqual({key: keys[key] for key in expected}, expected)
+        # CONTACT prints 4647 N on these elements. It counts the heat of an element twice in the element itself: on elements of
+        # 1/2 and 1/3 of the size it prints 4719 and 4753 N, which goes with the root of the size to 4893 N.
         found = self.solve(second, "r3_law_kept")
-        self.assertLess(found["Fx"], 0.3 * found["Fz"])
+        self.assertAlmostEqual(found["Fx"], hot_force(), delta=0.01 * 0.4 * 20000)
 
     def test_a_force_and_then_a_creepage(self):
         for entry in self.entries("door-18-from-contact-force-then-creepage", "r10_force_then_creepage"):

@@ -58,8 +58,9 @@ TEST(H5Reader, ReadsWhatWasWrittenRunByRun) {
   const auto file = folder.path() / "out.h5";
   {
     H5Writer writer(file);
-    writer.add_line("group/x", 5, "mm", "a line");
-    writer.add_line("none", 0, "1", "no number");
+    writer.add_line("group/x", 5,
+                    {.unit = "mm", .description = "a line", .role = "swept", .choices = {"a", "b c"}});
+    writer.add_line("none", 0, {.unit = "1", .description = "no number"});
     const std::vector<double> first{1, 2}, last{3, 4, 5};
     writer.put("group/x", first);
     writer.put("group/x", last);
@@ -73,6 +74,9 @@ TEST(H5Reader, ReadsWhatWasWrittenRunByRun) {
   }
   EXPECT_EQ(read_h5(file).datasets.at("group/x").values, (std::vector<double>{1, 2, 3, 4, 5}));
   EXPECT_EQ(read_h5(file).datasets.at("group/x").unit, "mm");
+  EXPECT_EQ(read_h5(file).datasets.at("group/x").role, "swept");
+  EXPECT_EQ(read_h5(file).datasets.at("group/x").choices, (std::vector<std::string>{"a", "b c"}));
+  EXPECT_EQ(read_h5(file).datasets.at("none").role, "");
   const H5Reader reader(file);
   EXPECT_EQ(reader.line("group/x", 1, 3), (std::vector<double>{2, 3, 4}));
   EXPECT_EQ(reader.size("group/x"), 5U);
@@ -105,7 +109,7 @@ TEST(H5Writer, DeflatesLongLines) {
     values[i] = 1e5 * std::sin(1e-3 * double(i / 10));
   {
     H5Writer writer(file);
-    writer.add_line("x", size, "N", "a force");
+    writer.add_line("x", size, {.unit = "N", .description = "a force"});
     for (std::size_t first = 0; first < size; first += 1000)
       writer.put("x", std::span(values).subspan(first, std::min<std::size_t>(1000, size - first)));
     writer.finish();
@@ -132,7 +136,7 @@ TEST(H5Writer, RefusesALineThatIsNotFull) {
   const TemporaryFolder folder;
   H5Writer writer(folder.path() / "out.h5");
   const std::vector<double> three{1, 2, 3};
-  writer.add_line("x", 4, "1", "four");
+  writer.add_line("x", 4, {.unit = "1", .description = "four"});
   writer.put("x", three);
   EXPECT_THAT(fault_of([&] { writer.put("x", three); }), testing::HasSubstr("has not so many numbers"));
   EXPECT_THAT(fault_of([&] { writer.finish(); }), testing::HasSubstr("are missing"));

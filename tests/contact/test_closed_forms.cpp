@@ -13,7 +13,7 @@ namespace bem_contact {
 namespace {
 
 /// Steuermann 1939: gap A r^4. The force for a given approach, of first order or better, extrapolated to
-/// .2 %.
+/// 0.2 %.
 TEST(ClosedForms, SteuermannsQuartic) {
   const double radius = 3, coefficient = 1e-4;
   const auto exact = reference::steuermann_by_radius(
@@ -106,7 +106,7 @@ struct ContactEllipse {
 struct KalkersCoefficients : testing::TestWithParam<ContactEllipse> {};
 
 /// Against the linear theory, a method of its own: the error is of first order, and three sizes leave of it,
-/// with terms of first and second order taken off, less than .1 % (C33: .5 %).
+/// with terms of first and second order taken off, less than 0.1 % (C33: 0.5 %).
 TEST_P(KalkersCoefficients, WithinHalfAPercentExtrapolated) {
   NEEDS_NO_SANITIZER();
   const auto& [a_over_b, poisson] = GetParam();

@@ -115,7 +115,7 @@ TEST(ErrorEstimates, HoldOnHertzContacts) {
 }
 
 /// The hottest point of a contact that slides as a whole, where elastic slip is nothing beside the creepage:
-/// .6173 mu p0 v sqrt(a/V)/effusivity above the bulk on a line of Hertz's pressure
+/// 0.6173 mu p0 v sqrt(a/V)/effusivity above the bulk on a line of Hertz's pressure
 /// (theory/estimates_and_heat.md, section 3), and so on the centre line of an ellipse. A wheel that is hotter
 /// than the contact stays so.
 TEST(ErrorEstimates, HoldForTheHottestPoint) {

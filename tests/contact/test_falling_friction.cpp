@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Vollebregt's locomotive: 106.7 kN, a/b = .5, mu = .14 + .19 2^(-w / 1250 mm/s), 10 m/s.
+/// Vollebregt's locomotive: 106.7 kN, a/b = 0.5, mu = 0.14 + 0.19 2^(-w / 1250 mm/s), 10 m/s.
 ContactProblem locomotive(double xi, int mx = 40, int ms = 20) {
   ContactProblem problem =
       scenes::flat(scenes::steel, scenes::steel, mx, ms, 16.0 / mx, 32.0 / ms, 8e-4, 2.814e-4);

@@ -29,8 +29,8 @@ struct Strip {
   }
 };
 
-/// Hertz's pressure along the centre line: T_max = .6173 mu p0 v_s sqrt(a / (lambda rho c V)) at
-/// .652 a behind the centre; 150.3 K for mu .3, p0 770.4 MPa, v_s 1 m/s, V 30 m/s, a 5.88 mm, equal bodies.
+/// Hertz's pressure along the centre line: T_max = 0.6173 mu p0 v_s sqrt(a / (lambda rho c V)) at
+/// 0.652 a behind the centre; 150.3 K for mu 0.3, p0 770.4 MPa, v_s 1 m/s, V 30 m/s, a 5.88 mm, equal bodies.
 TEST(FlashTemperature, HertzConverges) {
   const double a = 5.88, source = 0.3 * 770.4 * 1000, speed = 30000;
   const double unit = source * std::sqrt(a / speed) / ThermalBody{}.effusivity();
@@ -54,7 +54,7 @@ TEST(FlashTemperature, HertzConverges) {
 /// Second order, at a point of the Hertzian source against 6400 elements.
 TEST(FlashTemperature, RateOfConvergence) {
   const auto heat = [](double x) { return std::sqrt(1 - x * x); };
-  const auto at_quarter = [&](int n) { // x = -.5, between two elements
+  const auto at_quarter = [&](int n) { // x = -0.5, between two elements
     const SurfaceTemperatures t = Strip(n, 1, 1, heat).at({}, 1000);
     return 0.5 * (t.rail[n / 4 - 1] + t.rail[n / 4]);
   };

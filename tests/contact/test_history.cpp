@@ -110,7 +110,7 @@ TEST(History, ShiftThereAndBack) {
 }
 
 /// Spence 1975: a sphere pressed on a rigid plane in steps, nu = 0: normal and tangential act on each other.
-/// Half of the contact's radius sticks at mu = .2986, and the pressure in the middle is 1.31 of Hertz's. It
+/// Half of the contact's radius sticks at mu = 0.2986, and the pressure in the middle is 1.31 of Hertz's. It
 /// has a sharp top there, and its error is of first order; the border of what sticks is that of elements.
 TEST(History, Spence) {
   NEEDS_NO_SANITIZER();

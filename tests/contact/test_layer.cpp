@@ -256,9 +256,9 @@ double dense_number(double x, double y, double dx, double dy, double shear_modul
   return sum / (pi * shear_modulus);
 }
 
-/// Fx / Fn of the locomotive Eurosprinter 127 001 (Engel, Beck, Alders 1998): 106.7 kN, a/b = .5, mu = .14 +
-/// .19 2^(-w / 1250 mm/s), 10 m/s. The slow way: Hertz's pressure, tractions along x alone, one element after
-/// the other, on 40 x 20 elements.
+/// Fx / Fn of the locomotive Eurosprinter 127 001 (Engel, Beck, Alders 1998): 106.7 kN, a/b = 0.5, mu = 0.14
+/// + 0.19 2^(-w / 1250 mm/s), 10 m/s. The slow way: Hertz's pressure, tractions along x alone, one element
+/// after the other, on 40 x 20 elements.
 double dense_locomotive(double xi, double compliance) {
   constexpr int mx = 40, ms = 20;
   constexpr double dx = 16.0 / mx, ds = 32.0 / ms;

@@ -28,7 +28,7 @@ double stick_radius(const ContactProblem& problem, const ContactResult& result) 
   return std::sqrt(area / std::numbers::pi);
 }
 
-/// Cattaneo 1938, Mindlin 1949. They leave out p_y, which costs them .15 % of the shift at this nu.
+/// Cattaneo 1938, Mindlin 1949. They leave out p_y, which costs them 0.15 % of the shift at this nu.
 TEST(Loads, CattaneoByForce) {
   const double shear = 7.0 / 8 * cattaneo_friction * cattaneo_force;
   const auto exact = reference::cattaneo(soft, 1, cattaneo_force, cattaneo_friction, shear);
@@ -185,7 +185,7 @@ TEST(Loads, ForcesThatFrictionCannotCarryAreRefused) {
   }
 }
 
-/// Full slip carries .7 of what adhesion can: more than that is found only where enough sticks.
+/// Full slip carries 0.7 of what adhesion can: more than that is found only where enough sticks.
 TEST(Loads, ForcesThatSlipDoesNotCarryAreFoundOrRefused) {
   ContactProblem problem = rolling({23000, 0.31}, scenes::steel, 16);
   problem.kinetic = 0.7;
@@ -206,7 +206,7 @@ TEST(Loads, ForcesThatSlipDoesNotCarryAreFoundOrRefused) {
 }
 
 /// Bentall and Johnson 1967: unlike rollers that roll freely creep. One row, so long that it is plane (what
-/// is missing of a plane goes with one over its length: .1 % at 400 mm, 1.5 % at 20).
+/// is missing of a plane goes with one over its length: 0.1 % at 400 mm, 1.5 % at 20).
 ContactProblem unlike_rollers(double friction, int across) {
   const Material lower{23000, 0.31}, upper{82000, 0.28};
   const auto both = reference::combined(lower, upper);

@@ -88,7 +88,7 @@ Coefficients coefficients(const std::array<ContactTotals, 3>& rolled, double cre
           -lateral.Mz / (cc * c * creepage), spin.Mz / (cc * cc * creepage)};
 }
 
-/// The forces of adhesion go with the area in contact, and whole elements cover .6 to 1.2 % more than the
+/// The forces of adhesion go with the area in contact, and whole elements cover 0.6 to 1.2 % more than the
 /// ellipse, not in step with h. Kalker's c^2 is the ellipse in contact, area / pi; with the Hertzian a b the
 /// surplus of area stays: once in C11 and C22, 1.5 times in C23, twice in C33.
 TEST_P(Kalker, CoefficientsOfSmallCreepage) {

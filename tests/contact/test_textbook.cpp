@@ -104,7 +104,7 @@ void use_files(ContactProblem& problem) {
                                        halfspace::resample(wheel, options, wheel_s, grid.ds));
 }
 
-/// mu tan(delta), at the steepest row: from .7 on friction alone could nearly carry a vertical force.
+/// mu tan(delta), at the steepest row: from 0.7 on friction alone could nearly carry a vertical force.
 double wedging(const ContactProblem& problem) {
   double steepest = 0;
   for (const ContactRow& row : problem.rows)

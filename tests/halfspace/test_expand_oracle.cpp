@@ -64,7 +64,7 @@ TEST(ExpandOracle, SignsOfTheCoupling) {
 
 namespace {
 
-/// The half-space as a table of elements .25 mm long at 24 offsets.
+/// The half-space as a table of elements 0.25 mm long at 24 offsets.
 InfluenceFunction halfspace_table() {
   InfluenceFunction f = halfspace_function(steel, 5, 0.2, 0.2);
   f.wavenumber.clear();

@@ -153,7 +153,7 @@ TEST(RectangleStress, CentreLineOfACircle) {
   }
 }
 
-/// Hertz on a circle, nu .3: tau_max .310 p0 at z = .48 a (Johnson 1985, section 4.2).
+/// Hertz on a circle, nu 0.3: tau_max 0.310 p0 at z = 0.48 a (Johnson 1985, section 4.2).
 TEST(RectangleStress, LargestShearUnderHertzCircle) {
   const int across = 40;
   const double h = 2.0 / across;
@@ -179,7 +179,7 @@ TEST(RectangleStress, LargestShearUnderHertzCircle) {
   EXPECT_NEAR(depth, 0.48, 0.021);
 }
 
-/// Hertz's line contact: tau_max .300 p0 at z = .786 b; endless strips, sigma_x = nu
+/// Hertz's line contact: tau_max 0.300 p0 at z = 0.786 b; endless strips, sigma_x = nu
 /// (sum).
 TEST(RectangleStress, LargestShearUnderALineContact) {
   const int across = 80;

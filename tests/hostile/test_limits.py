@@ -232,10 +232,17 @@ class Explore(InFolder):
         self.assertIn(self.path, page.read_text())
         self.assertEqual(page.parent.stat().st_mode & 0o077, 0)
         time.sleep(0.5)
-        children = subprocess.run(["ps", "--ppid", str(self.run.pid), "-o", "stat="], capture_output=True, text=True).stdout
-        self.assertNotIn("Z", children)
+        self.assertEqual([child for child in self.children() if child[0] == "Z"], [])
         self.assertLess(self.end(), 2)
         self.assertFalse(page.exists())
+
+    def children(self):
+        """State and parent of each child of the server."""
+        for file in Path("/proc").glob("[0-9]*/stat"):
+            with contextlib.suppress(OSError):
+                state, parent = file.read_text().rpartition(") ")[2].split()[:2]
+                if int(parent) == self.run.pid:
+                    yield state, parent
 
     def start_with_browser(self, environment):
         self.run = subprocess.Popen([doors.PROGRAM, "explore"], stdout=subprocess.PIPE, text=True, env=os.environ | environment)

@@ -335,7 +335,7 @@ std::string said(const Points& points, ProfileKind kind, const ProfileReading& r
   return heard.text();
 }
 
-/// As wear of .3 mm and .6 mm leaves it, by what is not worn: the top pulls no more.
+/// As wear of 0.3 mm and 0.6 mm leaves it, by what is not worn: the top pulls no more.
 TEST(Nominal, ARailIsPlacedByItsSides) {
   const std::vector<Bump> both{{0.6, -33, 10}, {0.3, 0, 10}};
   const NominalPlace inclined{{-7, 0.3}, -0.025};
@@ -365,7 +365,7 @@ TEST(Nominal, AnEvenlyWornTopIsNotTakenForTheTop) {
 }
 
 TEST(Nominal, AWheelOfAnotherShapeIsNeitherAdvisedNorSilent) {
-  // Steel of .2 mm outside S1002 over 20 mm, and 1 mm less beside it.
+  // Steel of 0.2 mm outside S1002 over 20 mm, and 1 mm less beside it.
   const Points other = worn_points("S1002", {{-0.2, 12, 10}, {1, 32, 8}}, {}, 0.5);
   EXPECT_THAT(said(noisy(other, 0.003, 1), ProfileKind::wheel),
               AllOf(HasSubstr("smoothing ="), Not(HasSubstr("nominal"))));
@@ -377,7 +377,7 @@ TEST(Nominal, AWheelOfAnotherShapeIsNeitherAdvisedNorSilent) {
               HasSubstr("turned by 0.69 degrees"));
 }
 
-/// XP55, a 1:18 cone rounded to .01 mm, was taken for S1002, worn and turned by 1.2 degrees.
+/// XP55, a 1:18 cone rounded to 0.01 mm, was taken for S1002, worn and turned by 1.2 degrees.
 TEST(Nominal, TheSampleOfAnotherWheelIsNotAdvisedToBeS1002) {
   const std::filesystem::path file =
       std::filesystem::path(CONFORMAL_SOURCE_DIR) /

@@ -190,7 +190,7 @@ TEST(StandardTables, WheelsOfEn13715FollowItsRule) {
         Wheel{"h32 e28.5 6.7%", {{-45.49666, 20.434468}, {-50.153174, 28.107631}, {-57, 31.83216}}}})
     for (const char* tread : {"S1002", "1:40"}) {
       const ProfileCurve curve = standard_profile(fmt::format("{} {}", tread, flange));
-      for (const Point2 joint : joints) { // the formulas of S1002 jump by .8e-4 mm before the flange
+      for (const Point2 joint : joints) { // the formulas of S1002 jump by 0.8e-4 mm before the flange
         double nearest = 1e9;
         for (const double s : curve.joints())
           nearest = std::min(nearest, norm(curve.at(s).position - joint));

@@ -31,6 +31,14 @@ STEPS = {  # one outer iteration is too few for unlike materials; without contac
     "the last is none": ([-0.01, 0.01], False),
     "all are solutions": ([-0.01, -0.02], True),
 }
+WARNED = """rail.profile = "60E1"
+wheel.profile = "S1002"
+position.rail_inclination = 0.025
+load.force = 4e5
+motion = { friction = 1.2, xi = 0.15 }
+stresses.x = [0]
+grid = { dx = 1.0, ds = 0.5 }
+"""
 
 
 class Doors(unittest.TestCase):
@@ -44,6 +52,37 @@ class Doors(unittest.TestCase):
 
     def program(self, *arguments):
         return subprocess.run([os.environ["BEM_CONTACT"], *map(str, arguments)], capture_output=True, text=True)
+
+    def warnings_of_c(self):
+        library = ctypes.CDLL(os.environ["CONFORMAL_LIBRARY"])
+        handle, message, count, text = ctypes.c_void_p(), ctypes.create_string_buffer(2000), ctypes.c_int(), ctypes.c_char_p()
+        self.assertEqual(library.conformal_open_file(str(self.scene).encode(), ctypes.byref(handle), message, 2000), 0, message.value)
+        library.conformal_solve(handle)
+        library.conformal_warning_count(handle, ctypes.byref(count))
+        out = []
+        for ask in (library.conformal_warning, library.conformal_warning_kind):
+            for k in range(count.value):
+                self.assertEqual(ask(handle, k, ctypes.byref(text)), 0)
+                out.append(text.value.decode())
+        self.assertEqual(library.conformal_warning_kind(handle, count.value, ctypes.byref(text)), 2)
+        library.conformal_close(handle)
+        return out
+
+    def test_warnings_and_their_kinds(self):
+        """The most important comes first, whatever found it, and each door has the kind beside the text."""
+        self.scene.write_text(WARNED)
+        kinds = ["unlikely_value", "large_creepage", "yield", "without_effect"]
+        done = self.program("solve", self.scene, "--json", "-o", self.folder / "r.h5")
+        found = json.loads(done.stdout)
+        self.assertEqual(found["warning_kinds"], kinds, found["warnings"])
+        self.assertEqual(found["warning_about"], ["motion.friction", "", "", "stresses.x"])
+        self.assertEqual([line.removeprefix("warning: ") for line in done.stderr.splitlines()], found["warnings"])
+        with h5py.File(self.folder / "r.h5") as h5:
+            for name in ("warnings", "warning_kinds", "warning_about"):
+                self.assertEqual(h5[name][()].decode().split("\n")[:-1], found[name])
+        result = bem_contact.solve(self.scene)
+        self.assertEqual((result.warnings, result.warning_kinds), (found["warnings"], kinds))
+        self.assertEqual(self.warnings_of_c(), [*found["warnings"], *kinds])
 
     def of_c(self):
         library = ctypes.CDLL(os.environ["CONFORMAL_LIBRARY"])
@@ -138,7 +177,7 @@ SOLVE = {"solve": (SHIFT, ["{0}"]), "compare": (STEADY, ["{0}", "--models", "hal
          "wear": (ON_RAIL + "load.force = 8e4\n", ["{0}"]), "wheelset": (AXLE, ["{0}"]), "study": (SHIFT, ["{0}", "-o", "{1}"])}
 SHOW = {"info", "report", "plot"}  # files of results: Doors has what each says
 ASKED = {"explore": "it serves a page; test_explore and test_answers ask it"}
-NO_CONTACT = {"new", "from-contact", "check", "influence", "profile", "conicity"}  # they solve none
+NO_CONTACT = {"new", "from-contact", "check", "schema", "influence", "profile", "conicity"}  # they solve none
 
 
 class EveryDoor(unittest.TestCase):

@@ -5,6 +5,8 @@
 #include "bem_contact/record/json.hpp"
 #include "bem_contact/record/text.hpp"
 
+#include "bem_contact/base/temporary_folder.hpp"
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -121,6 +123,23 @@ TEST(Record, ComesBackFromHdf5) {
   EXPECT_EQ(std::get<Text>(*find(back, "scene")).meaning, "as it was given");
 }
 
+/// What a page does with numbers is a value of the record, and no word of their meaning.
+TEST(Record, RolesAndChoicesComeBack) {
+  const TemporaryFolder folder;
+  Field keys = field({1, 0, 1}, "1", "which rail");
+  keys.role = Role::swept;
+  keys.choices = {"60E1", "worn rail.txt"};
+  write_hdf5(folder / "s.h5", Record{{"rail.profile", keys}, {"Fx", field({1, 2, 3}, "N", "swept over")}});
+  const Record back = read_hdf5(folder / "s.h5");
+  EXPECT_EQ(std::get<Field>(*find(back, "rail.profile")).role, Role::swept);
+  EXPECT_EQ(std::get<Field>(*find(back, "rail.profile")).choices, keys.choices);
+  EXPECT_EQ(std::get<Field>(*find(back, "Fx")).role, Role::other);
+  const json j = json::parse(to_described_json(back, [](std::string_view) { return false; }));
+  EXPECT_EQ(j["rail.profile"]["role"], "swept");
+  EXPECT_EQ(j["rail.profile"]["choices"], json({"60E1", "worn rail.txt"}));
+  EXPECT_FALSE(j["Fx"].contains("role"));
+}
+
 TEST(Record, IsSaidInWords) {
   const std::string text = to_text(sample());
   EXPECT_THAT(text, HasSubstr("  certified: yes\n"));
@@ -139,6 +158,7 @@ TEST(Record, IsDescribedForPages) {
       j["quantities"]["Fx"],
       json({{"unit", "N"}, {"description", "on the rail"}, {"shape", json::array()}, {"values", {3.25}}}));
   EXPECT_EQ(j["quantities"]["Fx_error"]["values"], json({0.5}));
+  EXPECT_EQ(j["quantities"]["Fx_error"]["role"], "error");
   EXPECT_FALSE(j["quantities"].contains("mx"));
   EXPECT_EQ(j["patches"]["Fn"]["values"], json({5.5, 2.5}));
   EXPECT_EQ(j["p_n"]["shape"], json({2, 3}));

@@ -61,7 +61,7 @@ double bentall_johnson_creepage(const Material& one, const Material& other, doub
   const CombinedMaterial m = combined(one, other);
   // For mu -> 0 everything slips but two points x = +-c, between which the traction is reversed; it has no
   // resultant where half of the load lies between them, c sqrt(1 - c^2) + asin c = pi/4 (c over the half
-  // width), and the creepage is the pressure's strain there: sqrt(1 - c^2) / 2 = .4573855.
+  // width), and the creepage is the pressure's strain there: sqrt(1 - c^2) / 2 = 0.4573855.
   constexpr double factor = 0.4573855;
   return factor * 2 * m.difference / (1 - m.poisson) * half_width / radius;
 }

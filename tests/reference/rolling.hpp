@@ -44,8 +44,8 @@ struct CombinedMaterial {
 CombinedMaterial combined(const Material& one, const Material& other);
 
 /// Bentall and Johnson 1967: creepage of freely rolling unlike cylinders, frictionless limit,
-/// .4574 kappa a/R (printed: .457), kappa = 2K/(1 - nu), 1/R = 1/R1 + 1/R2. Its sign is that of K (body 1 the
-/// more compliant).
+/// 0.4574 kappa a/R (printed: 0.457), kappa = 2K/(1 - nu), 1/R = 1/R1 + 1/R2. Its sign is that of K (body 1
+/// the more compliant).
 double bentall_johnson_creepage(const Material& one, const Material& other, double radius, double half_width);
 
 /// |Mz| of a circular Hertzian contact of radius a that slips everywhere in pure spin: (3 pi/16) mu N a.

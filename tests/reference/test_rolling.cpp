@@ -55,7 +55,7 @@ TEST(Cattaneo, PublishedVector) {
 
 TEST(BentallJohnson, PublishedVector) {
   const Material soft{23000, 0.31}, steel{82000, 0.28};
-  const double rounding = 0.0005 / 0.457; // of .457, with which it was published
+  const double rounding = 0.0005 / 0.457; // of 0.457, with which it was published
   EXPECT_NEAR(bentall_johnson_creepage(soft, steel, 25, 0.1), 5.259e-4, rounding * 5.259e-4);
   EXPECT_NEAR(bentall_johnson_creepage(steel, soft, 25, 0.1), -5.259e-4, rounding * 5.259e-4);
   EXPECT_EQ(bentall_johnson_creepage(steel, steel, 25, 0.1), 0);
@@ -96,7 +96,7 @@ TEST(CreepCoefficients, ConvergeWithTheDegree) {
   }
 }
 
-/// Kalker 1990, table E3 (1967), the three digits printed there: half of the last one is .1 to .5 %.
+/// Kalker 1990, table E3 (1967), the three digits printed there: half of the last one is 0.1 to 0.5 %.
 TEST(CreepCoefficients, AgreeWithKalkersTable) {
   const auto near = [](const CreepCoefficients& k, std::array<double, 4> kalker) {
     EXPECT_NEAR(k.c11 / kalker[0], 1, 0.005);
@@ -129,7 +129,7 @@ TEST(CreepCoefficients, OfTheExamplesAreThese) {
 }
 
 /// A list published with the means of a boundary element method, extrapolated at first order: C11, C22 within
-/// .4 %, C23 .7 %, C33 1 % (a/b = 2: its 2.640 is .6 % above, its .812 .9 % below). That method's own
+/// 0.4 %, C23 0.7 %, C33 1 % (a/b = 2: its 2.640 is 0.6 % above, its 0.812 0.9 % below). That method's own
 /// extrapolation in tests/contact/test_closed_forms.cpp, with a term of second order, comes to the values
 /// here.
 TEST(CreepCoefficients, AgreeWithAnExtrapolatedBoundaryElementMethod) {

@@ -1,5 +1,5 @@
 #include "bem_contact/scene/case_table.hpp"
-#include "bem_contact/scene/sweep_file.hpp"
+#include "bem_contact/scene/sweep_check.hpp"
 
 #include "tests/base/message.hpp"
 #include "tests/base/temporary_folder.hpp"

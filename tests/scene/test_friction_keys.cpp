@@ -26,6 +26,9 @@ SceneFile patch(const std::string& motion, const std::string& top = "") {
       "= 0.3\n" +
       motion + "\n[grid]\ndx = 0.9\nds = 1.6\nmx = 20\nms = 20\n[gap]\na = 8e-4\nb = 2.814e-4\n");
 }
+auto says(const std::string& words) {
+  return testing::Field(&Warning::text, HasSubstr(words));
+}
 std::string refusal(const std::string& motion, const std::string& top = "") {
   return message_of([&] { patch(motion, top); });
 }
@@ -50,7 +53,7 @@ TEST(FrictionKeys, EachLawIsSaidByItsFirstKey) {
       return fmt::format("{} = {}\n{} = 0.5\nspeed = 1e4\nxi = 1e-3", first.name(), value, other.name());
     };
     EXPECT_THAT(refusal(fmt::format("{} = 0.2\nspeed = 1e4", first.name())), HasSubstr(law.give_both));
-    EXPECT_THAT(patch(given("0")).unused, Contains(HasSubstr(other.key)));
+    EXPECT_THAT(patch(given("0")).unused, Contains(says(other.key)));
     const SceneFile scene = patch(given("0.2"));
     EXPECT_EQ(asked_law(scene.motion), &law);
     EXPECT_THAT(scene.unused, IsEmpty());
@@ -103,10 +106,9 @@ TEST(FrictionKeys, WhatIsMissingOrTwiceIsRefused) {
               HasSubstr("temperature.falls_to"));
   EXPECT_THAT(refusal("speed = 1e4", flash + "temperature.hot_friction = 0.5\ntemperature.falls_to = 300"),
               HasSubstr("friction is only 0.3"));
-  EXPECT_THAT(patch("half_slip_velocity = 9\nxi = 1e-3").unused, Contains(HasSubstr("half_slip_velocity")));
-  EXPECT_THAT(patch("polach_b = 0.6\nxi = 1e-3").unused, Contains(HasSubstr("polach_a is not given")));
-  EXPECT_THAT(patch("xi = 1e-3", "temperature.rail_density = 7000").unused,
-              Contains(HasSubstr("rail_density")));
+  EXPECT_THAT(patch("half_slip_velocity = 9\nxi = 1e-3").unused, Contains(says("half_slip_velocity")));
+  EXPECT_THAT(patch("polach_b = 0.6\nxi = 1e-3").unused, Contains(says("polach_a is not given")));
+  EXPECT_THAT(patch("xi = 1e-3", "temperature.rail_density = 7000").unused, Contains(says("rail_density")));
   EXPECT_THAT(patch("xi = 1e-3\nspeed = 1e4", flash).unused, IsEmpty());
 }
 
@@ -127,22 +129,22 @@ TEST(FrictionKeys, TemperaturesAreInTheResult) {
   EXPECT_LT(quantity("Tmax_rail").value(hot), hottest);
 }
 
-/// A prescribed force that sliding as a whole carries too: 30 kN x .9 at .3 [.5 + .5 2^(-w/1000)].
+/// A prescribed force that sliding as a whole carries too: 30 kN x 0.9 at 0.3 [0.5 + 0.5 2^(-w/1000)].
 TEST(FrictionKeys, ASecondCreepageIsSaid) {
   const std::string law = "falling_friction = 0.15\nhalf_slip_velocity = 1000\nspeed = 1e4\n";
   const SceneResult r = Sequence().solve(patch(law, "load.force_x = 27000"));
   ASSERT_TRUE(r.result.certified()) << r.result.trust.solver_note;
   const double velocity = -1000 * std::log2((0.9 - 0.5) / 0.5);
-  EXPECT_THAT(r.warnings, Contains(HasSubstr(fmt::format("at some {:.3g} (slip velocity {:.3g} mm/s)",
-                                                         velocity / 1e4, velocity))));
+  EXPECT_THAT(r.warnings.texts(), Contains(HasSubstr(fmt::format("at some {:.3g} (slip velocity {:.3g} mm/s)",
+                                                                 velocity / 1e4, velocity))));
   const SceneResult there = Sequence().solve(patch(law + fmt::format("xi = {}", velocity / 1e4)));
   EXPECT_NEAR(there.result.totals.Fx, 27000, 100);
-  EXPECT_THAT(Sequence().solve(patch(law, "load.force_x = 14000")).warnings, IsEmpty());
+  EXPECT_THAT(Sequence().solve(patch(law, "load.force_x = 14000")).warnings.texts(), IsEmpty());
 }
 
 /// The slip velocity that a warning of a second creepage names, mm/s; 0: no warning does.
 double velocity_said(const SceneResult& r) {
-  for (const std::string& warning : r.warnings)
+  for (const std::string& warning : r.warnings.texts())
     if (warning.find("two creepages") != std::string::npos)
       return std::stod(warning.substr(warning.find("(slip velocity ") + 15));
   return 0;
@@ -171,18 +173,18 @@ TEST(FrictionKeys, ASecondCreepageIsSaidOfRowsAndHeat) {
   }
 }
 
-/// Friction that drops within .3 mm/s is nearly a jump.
+/// Friction that drops within 0.3 mm/s is nearly a jump.
 TEST(FrictionKeys, ASecondSolutionIsSaid) {
   const SceneResult r =
       Sequence().solve(patch("falling_friction = 0.127\nhalf_slip_velocity = 0.3\nspeed = 1e4\nxi = 8e-4"));
   ASSERT_TRUE(r.result.certified()) << r.result.trust.solver_note;
-  EXPECT_THAT(r.warnings,
+  EXPECT_THAT(r.warnings.texts(),
               Contains(HasSubstr("this contact has two solutions: taken is the one that comes from "
                                  "adhesion (Fx")));
 }
 
 TEST(FrictionKeys, ASpeedInMetresIsSaid) {
-  EXPECT_THAT(Sequence().solve(patch("speed = 30\nxi = 1e-3", "temperature.flash = true")).warnings,
+  EXPECT_THAT(Sequence().solve(patch("speed = 30\nxi = 1e-3", "temperature.flash = true")).warnings.texts(),
               Contains(HasSubstr("motion.speed = 30 mm/s is below walking pace")));
   const SceneDescription d = Sequence().check(
       patch("speed = 3e4\nxi = 1e-3\npolach_a = 0.4\npolach_b = 0.6", "temperature.flash = true"));
@@ -190,7 +192,7 @@ TEST(FrictionKeys, ASpeedInMetresIsSaid) {
 }
 
 TEST(FrictionKeys, KineticFrictionDependsOnTheElements) {
-  EXPECT_THAT(Sequence().solve(patch("kinetic_friction = 0.2\nxi = 2e-3")).warnings,
+  EXPECT_THAT(Sequence().solve(patch("kinetic_friction = 0.2\nxi = 2e-3")).warnings.texts(),
               Contains(HasSubstr("motion.kinetic_friction: friction that drops at once")));
 }
 

@@ -153,7 +153,7 @@ TEST_F(MotionTables, FrictionByATable) {
   const ContactOnGrid contact = patch_on_grid(scene);
   EXPECT_DOUBLE_EQ(contact.problem.friction_of(0), 0.1);
   EXPECT_DOUBLE_EQ(contact.problem.friction_of(15), 0.5);
-  EXPECT_NEAR(contact.problem.friction_of(8), 0.35, 1e-12); // s = .25
+  EXPECT_NEAR(contact.problem.friction_of(8), 0.35, 1e-12); // s = 0.25
   const SceneResult r = Sequence().solve(with_model(scene, Model::halfspace));
   EXPECT_NEAR(r.result.totals.Fx, 0.3 * 1e4, 1) << "symmetric about mu = .3";
 }

@@ -23,7 +23,7 @@ std::vector<std::string> warnings_of(const std::string& more) {
       parse_scene_file("rail.profile = '60E1'\nwheel.profile = 'S1002'\nload.force = 1e5\n"
                        "grid.dx = 1.0\ngrid.ds = 0.5\n" +
                        more);
-  return input_warnings(scene, set_up_contact(scene, read_profiles(scene)));
+  return input_warnings(scene, set_up_contact(scene, read_profiles(scene))).texts();
 }
 
 TEST(Warnings, OrdinaryScenesRaiseNone) {
@@ -57,7 +57,7 @@ TEST(Warnings, FrictionAboveOneAndForcesInKilonewtonsAreSaid) {
   const SceneFile scene =
       parse_scene_file("rail.profile = '60E1'\nwheel.profile = 'S1002'\nload.force = 100\n"
                        "grid.dx = 1.0\ngrid.ds = 0.5\n");
-  EXPECT_THAT(input_warnings(scene, set_up_contact(scene, read_profiles(scene))),
+  EXPECT_THAT(input_warnings(scene, set_up_contact(scene, read_profiles(scene))).texts(),
               ElementsAre(HasSubstr("load.force looks like kN (100 N on a wheel)")));
 }
 
@@ -75,7 +75,7 @@ TEST(Warnings, ARailThatIsInclinedTwiceIsSaid) {
   const std::string rail = "rail.profile = '" + (folder.path() / "rail.txt").string() + "'\n";
   const auto warnings = [&](const std::string& more) {
     const SceneFile scene = parse_scene_file(rail + "wheel.profile = 'S1002'\nload.force = 1e5\n" + more);
-    return input_warnings(scene, set_up_contact(scene, read_profiles(scene)));
+    return input_warnings(scene, set_up_contact(scene, read_profiles(scene))).texts();
   };
   EXPECT_THAT(warnings(""), IsEmpty());
   EXPECT_THAT(
@@ -89,7 +89,7 @@ TEST(Warnings, AKeyUnderItsFormerNameIsReadWithARemark) {
   const std::string text = "rail.profile = '60E1'\nwheel.profile = 'S1002'\nload.force = 1e5\n";
   const SceneFile scene = parse_scene_file(text + "position.cant = 0.025\n");
   EXPECT_EQ(scene.position.rail_inclination, 0.025);
-  EXPECT_THAT(input_warnings(scene, set_up_contact(scene, read_profiles(scene))),
+  EXPECT_THAT(input_warnings(scene, set_up_contact(scene, read_profiles(scene))).texts(),
               ElementsAre("position.cant is now called position.rail_inclination"));
   SceneReader changed{SceneText(text)};
   changed.set({"position.cant", 0.05});
@@ -149,7 +149,7 @@ TEST(Warnings, KeysOfProfileFilesHaveNoEffectOnStandards) {
 TEST(Warnings, APatchHasMaterialsAndFriction) {
   const SceneFile scene = parse_scene_file("kind = 'patch'\nload.force = 1e3\ngrid.mx = 4\ngrid.ms = 4\n"
                                            "motion.friction = 30\nwheel.material.young = 2.1e11\n");
-  EXPECT_THAT(input_warnings(scene, set_up_patch(scene)),
+  EXPECT_THAT(input_warnings(scene, set_up_patch(scene)).texts(),
               ElementsAre(HasSubstr("wheel.material"), HasSubstr("friction = 30")));
 }
 

@@ -17,7 +17,7 @@ ContactEstimate estimate_of(const WheelOnRail& pair, const Material& steel, doub
 
 TEST(Estimate, OfASphereIsNearHertz) {
   // Ball R 50 on a rail that is all but flat: Hertz for a sphere on a plane (Johnson 1985, eq. 4.22), E
-  // 210000, nu .3.
+  // 210000, nu 0.3.
   const Material steel{210000 / 2.6, 0.3};
   const WheelOnRail pair{shapes::rail_arc(1e5, 1e-4), shapes::wheel_arc(50, 0.5), {}, {}, 50};
   const ContactEstimate estimate = estimate_of(pair, steel, 1000);

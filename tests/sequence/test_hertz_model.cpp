@@ -14,7 +14,7 @@ namespace {
 using namespace bem_contact;
 using ::testing::HasSubstr;
 
-/// Rx 460, Ry 300, E 210000, nu .3, 1e5 N (Hertz; Johnson 1985, section 4.2), c x s besides.
+/// Rx 460, Ry 300, E 210000, nu 0.3, 1e5 N (Hertz; Johnson 1985, section 4.2), c x s besides.
 SceneFile hertz(double mixed = 0, const std::string& load = "force = 1e5", const std::string& rest = "") {
   return parse_scene_file("kind = 'patch'\nmotion.frictionless = true\n[load]\n" + load +
                           "\n[rail.material]\nyoung = 210000\npoisson = 0.3\n"

@@ -243,7 +243,7 @@ TEST(PrescribedLateralForce, ATreadWhoseForceSaysLittleIsFoundWithinTheStatedErr
       EXPECT_NEAR(found.motion.found_lateral->lateral, lateral, found.motion.found_lateral->lateral.error);
       EXPECT_GT(found.motion.found_lateral->lateral.error, lateral::unsure);
       EXPECT_LT(std::abs(found.motion.found_lateral->slope), 2000);
-      EXPECT_THAT(found.warnings,
+      EXPECT_THAT(found.warnings.texts(),
                   Contains(HasSubstr("load.force_y says little of the lateral displacement")));
     }
   }
@@ -255,7 +255,7 @@ TEST(PrescribedLateralForce, AnUnknownErrorOfTheForceIsWarnedOfToo) {
   ASSERT_TRUE(found.motion.found_lateral);
   ASSERT_TRUE(std::isnan(found.motion.found_lateral->lateral.error))
       << "the elements are too large for an estimate";
-  EXPECT_THAT(found.warnings, Contains(HasSubstr("and its error is not known")));
+  EXPECT_THAT(found.warnings.texts(), Contains(HasSubstr("and its error is not known")));
 }
 
 TEST(PrescribedLateralForce, ATreadWithoutFrictionIsFoundWithoutAWarning) {
@@ -267,7 +267,7 @@ TEST(PrescribedLateralForce, ATreadWithoutFrictionIsFoundWithoutAWarning) {
   EXPECT_NEAR(found.motion.found_lateral->lateral, 1, found.motion.found_lateral->lateral.error);
   EXPECT_LT(found.motion.found_lateral->lateral.error, 0.02);
   EXPECT_NEAR(found.motion.found_lateral->slope, 1960, 200);
-  EXPECT_THAT(found.warnings, IsEmpty());
+  EXPECT_THAT(found.warnings.texts(), IsEmpty());
 }
 
 TEST(PrescribedLateralForce, TheLeastForceOfATreadIsFound) {
@@ -278,7 +278,7 @@ TEST(PrescribedLateralForce, TheLeastForceOfATreadIsFound) {
         rolling_at(start, more + fmt::format("load.force_y = {:.17g}\n", there.result.totals.Fy.value)));
     ASSERT_TRUE(found.motion.found_lateral);
     EXPECT_NEAR(found.motion.found_lateral->lateral, -1, found.motion.found_lateral->lateral.error);
-    EXPECT_THAT(found.warnings, Contains(HasSubstr("says little of the lateral displacement")));
+    EXPECT_THAT(found.warnings.texts(), Contains(HasSubstr("says little of the lateral displacement")));
   }
 }
 
@@ -327,7 +327,7 @@ TEST(PrescribedLateralForce, TheWarningOfAMissedAccuracyNamesTheLimit) {
   scene.grid.accuracy = 0.02;
   const SceneResult found = Sequence().solve(scene);
   EXPECT_GT(asked_error(scene.grid, found.result), 0.02);
-  EXPECT_THAT(found.warnings, Contains(HasSubstr("elements in contact; at most 1400 are tried)")));
+  EXPECT_THAT(found.warnings.texts(), Contains(HasSubstr("elements in contact; at most 1400 are tried)")));
 }
 
 /// The model bears the forces that a refusal names, where it says so. On the tread rough ones miss more than

@@ -84,7 +84,7 @@ TEST(LayerScene, TwoOfThemAreRefused) {
               HasSubstr("slope of steady rolling"));
   EXPECT_THAT(layer_refusal("slope = 0.6", "kind = 'shift'"), HasSubstr("slope of steady rolling"));
   SceneFile scene = layer_patch("compliance = 1e-5", "frictionless = true");
-  EXPECT_THAT(scene.unused, Contains(HasSubstr("layer.compliance")));
+  EXPECT_THAT(scene.unused, Contains(testing::Field(&Warning::text, HasSubstr("layer.compliance"))));
   EXPECT_THAT(layer_patch("compliance = 1e-5").unused, IsEmpty());
   EXPECT_THAT(message_of([] {
                 parse_scene_file(

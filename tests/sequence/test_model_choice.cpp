@@ -175,15 +175,16 @@ TEST(ModelChoice, TakesTheBestModelOffTheStrips) {
   const SceneResult solved = Sequence().solve(tread);
   EXPECT_TRUE(certified(solved));
   EXPECT_EQ(solved.choice.model, Model::halfspace);
-  EXPECT_THAT(solved.warnings, Contains(AllOf(HasSubstr("needed here"),
-                                              HasSubstr("% in friction_power: more than the 1 % allowed"),
-                                              HasSubstr("influence files do not cover this contact"))));
+  EXPECT_THAT(
+      solved.warnings.texts(),
+      Contains(AllOf(HasSubstr("needed here"), HasSubstr("% in friction_power: more than the 1 % allowed"),
+                     HasSubstr("influence files do not cover this contact"))));
   EXPECT_THROW(Sequence().solve(with_model(tread, Model::fem)), InputError);
   EXPECT_THAT(Sequence().check(tread).lines, Contains(HasSubstr("model: auto, which takes halfspace")));
   EXPECT_EQ(Sequence().solve(corner(6.5, "[motion]\nfriction = 0.3\n")).choice.model, Model::fem);
   SceneFile by_force = tread;
   by_force.load.force_y = solved.result.totals.Fy;
-  EXPECT_THAT(Sequence().solve(by_force).warnings, Contains(HasSubstr("do not cover this contact")));
+  EXPECT_THAT(Sequence().solve(by_force).warnings.texts(), Contains(HasSubstr("do not cover this contact")));
 }
 
 TEST(ModelChoice, StructuralMotionNeedsFiniteElements) {

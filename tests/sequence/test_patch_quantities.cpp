@@ -181,6 +181,17 @@ TEST(Quantities, ANameHasOneUnit) {
   take(element_quantities());
 }
 
+/// Python's type of a number follows from its row. A patch without friction has the fewest numbers.
+TEST(Quantities, OnlyWhatMayBeMissingIsMissing) {
+  const SceneResult r = solved(ellipse(0));
+  std::size_t missing = 0;
+  for (const Quantity& q : quantities()) {
+    EXPECT_TRUE(q.missing == Missing::possible || !std::isnan(q.value(r))) << q.name;
+    missing += q.missing == Missing::possible && std::isnan(q.value(r));
+  }
+  EXPECT_GE(missing, 5u); // no displacement, temperatures, free rolling and layer
+}
+
 TEST(Quantities, DifferencesBeyondTheCertificateAreFound) {
   const SceneResult r = solved(ellipse(0));
   std::map<std::string, double> before;

@@ -105,8 +105,8 @@ TEST_F(ProfileFiles, AWheelOnTheTipOfItsFlangeIsSaidByCheckAndSolve) {
   write("w.txt", beside);
   const SceneFile asked = scene("rail.profile = \"60E1\"\nwheel.profile = \"w.txt\"\n");
   const auto cause = HasSubstr("wheel.flange_back");
-  EXPECT_THAT(Sequence().check(asked).warnings, Contains(cause));
-  EXPECT_THAT(Sequence().solve(asked).warnings, Contains(cause));
+  EXPECT_THAT(Sequence().check(asked).warnings.texts(), Contains(cause));
+  EXPECT_THAT(Sequence().solve(asked).warnings.texts(), Contains(cause));
 }
 
 /// Two cylinders of parallel axes along x, a wheel of radius 460 mm: Hertz's curvatures are known.
@@ -131,7 +131,7 @@ TEST_F(ProfileFiles, ARollerInAGrooveNeedsNeitherGaugeFaceNorFlange) {
     return contact_of(closed_form);
   }();
   EXPECT_NEAR(contact.pmax, hertz.pmax, 0.02 * hertz.pmax);
-  EXPECT_THAT(result.warnings, Not(Contains(HasSubstr("flange"))));
+  EXPECT_THAT(result.warnings.texts(), Not(Contains(HasSubstr("flange"))));
 }
 
 } // namespace

@@ -22,28 +22,28 @@ SceneResult on_standard_rail(const std::string& more, double dx = 1.0) {
 }
 
 TEST(ResultWarnings, AnOrdinaryContactHasNone) {
-  EXPECT_THAT(on_standard_rail("load.force = 6e4").warnings, IsEmpty());
+  EXPECT_THAT(on_standard_rail("load.force = 6e4").warnings.texts(), IsEmpty());
 }
 
 TEST(ResultWarnings, PressureThatSteelDoesNotBearIsSaid) {
   const SceneResult r = on_standard_rail("load.force = 1.2e5\nposition.lateral = 6.4", 0.7);
   ASSERT_GT(r.result.totals.pmax, 1560);
-  EXPECT_THAT(r.warnings, Contains(HasSubstr("three times the yield strength")));
+  EXPECT_THAT(r.warnings.texts(), Contains(HasSubstr("three times the yield strength")));
   const SceneResult soft =
       on_standard_rail("load.force = 1.2e5\nposition.lateral = 6.4\n"
                        "rail.material.shear_modulus = 5e4\nwheel.material.shear_modulus = 5e4",
                        0.7);
-  EXPECT_THAT(soft.warnings, Not(Contains(HasSubstr("yield strength")))) << "not of steel";
+  EXPECT_THAT(soft.warnings.texts(), Not(Contains(HasSubstr("yield strength")))) << "not of steel";
 }
 
 TEST(ResultWarnings, ACreepageAboveTenPercentIsSaid) {
-  EXPECT_THAT(on_standard_rail("load.force = 6e4\nmotion.xi = 0.15").warnings,
+  EXPECT_THAT(on_standard_rail("load.force = 6e4\nmotion.xi = 0.15").warnings.texts(),
               Contains(HasSubstr("the creepage is above 10 % (along x 0.1")));
-  EXPECT_THAT(on_standard_rail("load.force = 6e4\nmotion.xi = 0.01").warnings, IsEmpty());
+  EXPECT_THAT(on_standard_rail("load.force = 6e4\nmotion.xi = 0.01").warnings.texts(), IsEmpty());
 }
 
 TEST(ResultWarnings, ElementsThatAreTooLargeAreSaidWithTheirSize) {
-  EXPECT_THAT(on_standard_rail("load.force = 6e4", 4.0).warnings,
+  EXPECT_THAT(on_standard_rail("load.force = 6e4", 4.0).warnings.texts(),
               Contains(HasSubstr("the elements are too large for this contact (patch 1")));
 }
 
@@ -54,15 +54,17 @@ TEST(ResultWarnings, ContactBeyondTheHeadIsSaidWithItsDepth) {
                                         "6.0\nposition.rail_inclination = {}",
                                         cant));
   };
-  EXPECT_THAT(at_cant(0.5).warnings, Contains(testing::ContainsRegex(
-                                         "beyond the rail's head .1[89].. mm below the top of the rail")));
-  EXPECT_THAT(at_cant(0.025).warnings, Not(Contains(HasSubstr("beyond the rail's head"))));
+  EXPECT_THAT(
+      at_cant(0.5).warnings.texts(),
+      Contains(testing::ContainsRegex("beyond the rail's head .1[89].. mm below the top of the rail")));
+  EXPECT_THAT(at_cant(0.025).warnings.texts(), Not(Contains(HasSubstr("beyond the rail's head"))));
 }
 
 TEST(ResultWarnings, StrictnessThrowsAllOfThem) {
   EXPECT_NO_THROW(refuse_warnings({}));
   try {
-    refuse_warnings({"one (1 mm) Do this.", "two (2 N) Do that."});
+    refuse_warnings(
+        {{WarningKind::yield, "one (1 mm) Do this."}, {WarningKind::grown_grid, "two (2 N) Do that."}});
     FAIL();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::AllOf(HasSubstr("one (1 mm)"), HasSubstr("two (2 N)")));

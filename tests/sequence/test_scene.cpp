@@ -34,11 +34,11 @@ SceneFile wheel_on_rail(double lateral, double force, const std::string& motion 
 /// How many of the warnings say this.
 auto times_said(const SceneResult& r, const std::string& what) {
   return std::ranges::count_if(
-      r.warnings, [&](const std::string& warning) { return warning.find(what) != std::string::npos; });
+      r.warnings, [&](const Warning& warning) { return warning.text.find(what) != std::string::npos; });
 }
 
 TEST(Scene, HertzPatch) {
-  // Hertz (Johnson 1985, section 4.2): E 210000, nu .3, Rx 460, Ry 300, F 1e5.
+  // Hertz (Johnson 1985, section 4.2): E 210000, nu 0.3, Rx 460, Ry 300, F 1e5.
   SceneFile scene = scene_of("kind = \"patch\"\nload.force = 1e5\nmotion.frictionless = true\n"
                              "[rail.material]\nshear_modulus = 80769.230769\npoisson = 0.3\n"
                              "[wheel.material]\nshear_modulus = 80769.230769\npoisson = 0.3\n"
@@ -62,7 +62,7 @@ TEST(Scene, PressuresBeyondElasticityAreRefused) {
     scene.rail.material.shear_modulus = shear_modulus;
     return Sequence().solve(with_model(scene, Model::halfspace));
   };
-  // Hertz: pmax = 2 E* a / (pi R), a^2 = R q, R = 50, and .2 E = .4 (1 - nu^2) E*: q = 16.8 mm.
+  // Hertz: pmax = 2 E* a / (pi R), a^2 = R q, R = 50, and 0.2 E = 0.4 (1 - nu^2) E*: q = 16.8 mm.
   EXPECT_TRUE(solve_at(15.5, 82000).result.certified());
   try {
     solve_at(18, 82000);

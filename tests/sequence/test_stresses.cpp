@@ -27,8 +27,8 @@ std::size_t place_of_largest(const std::vector<double>& v) {
   return static_cast<std::size_t>(std::max_element(v.begin(), v.end()) - v.begin());
 }
 
-/// Sphere R 50, F 1000 (Hertz; Johnson 1985, eq. 4.22 to 4.24): a .68753, p0 1010.07; nu .3: tau_max .310 p0
-/// at .48 a.
+/// Sphere R 50, F 1000 (Hertz; Johnson 1985, eq. 4.22 to 4.24): a 0.68753, p0 1010.07; nu 0.3: tau_max 0.310
+/// p0 at 0.48 a.
 TEST(StressesBelow, HertzOnACircle) {
   const SceneResult r = Sequence().solve(
       parse_scene_file("kind = \"patch\"\nload.force = 1000\nmotion.frictionless = true\n" + materials +
@@ -47,7 +47,7 @@ TEST(StressesBelow, HertzOnACircle) {
   EXPECT_TRUE(r.warnings.empty());
 }
 
-/// Line contact: tau_max .300 p0 at .786 b; sigma_x = nu (sigma_s + sigma_n).
+/// Line contact: tau_max 0.300 p0 at 0.786 b; sigma_x = nu (sigma_s + sigma_n).
 TEST(StressesBelow, LineContact) {
   const double radius = 500, semi = 1, modulus = 80769.230769 / 0.7;
   const double force = std::numbers::pi * semi * semi * modulus / (4 * radius),
@@ -98,7 +98,8 @@ TEST(StressesBelow, SayWhereTheyAreAnApproximation) {
   scene.solver.model = Model::halfspace;
   const SceneResult r = Sequence().solve(scene);
   ASSERT_TRUE(r.stresses);
-  EXPECT_THAT(r.warnings, ::testing::Contains(HasSubstr("those of a half-space under these tractions")));
+  EXPECT_THAT(r.warnings.texts(),
+              ::testing::Contains(HasSubstr("those of a half-space under these tractions")));
   scene.stresses.depths.clear();
   EXPECT_FALSE(Sequence().solve(scene).stresses) << "not asked for";
 }

@@ -179,9 +179,9 @@ TEST(StructuralMotion, CreepageOfPlacedBodiesCountsFromFreeRolling) {
 
 TEST(StructuralMotion, SurfacesThatSlideUnseenAreWarnedOf) {
   const auto warning = Contains(HasSubstr("the surfaces move past each other by up to"));
-  EXPECT_THAT(solved(gauge_corner(8e4, "included", linear)).warnings, warning);
-  EXPECT_THAT(solved(gauge_corner(8e4, "included")).warnings, Not(warning));
-  EXPECT_THAT(solved(gauge_corner(8e4, "removed")).warnings, Not(warning));
+  EXPECT_THAT(solved(gauge_corner(8e4, "included", linear)).warnings.texts(), warning);
+  EXPECT_THAT(solved(gauge_corner(8e4, "included")).warnings.texts(), Not(warning));
+  EXPECT_THAT(solved(gauge_corner(8e4, "removed")).warnings.texts(), Not(warning));
 }
 
 TEST(StructuralMotion, APrescribedApproachIsThatOfWhatIsHeld) {
@@ -217,8 +217,8 @@ TEST(StructuralMotion, TheApproachSaysWhatItIsRelativeTo) {
 const std::string by_contact = "solver.contact_motion = 'placed'\n";
 
 TEST(ContactMotion, CostsWhatExactKinematicsSays) {
-  // tools/checks/solid3d_contact, at 1e5 N: .87 % more lateral force than with linear kinematics, the
-  // surfaces .064 mm past each other along s, which is .054 mm along y.
+  // tools/checks/solid3d_contact, at 1e5 N: 0.87 % more lateral force than with linear kinematics, the
+  // surfaces 0.064 mm past each other along s, which is 0.054 mm along y.
   const SceneResult undeformed = solved(gauge_corner(1e5, "removed"));
   const SceneResult placed = solved(gauge_corner(1e5, "removed", by_contact));
   EXPECT_FALSE(undeformed.structure);
@@ -237,7 +237,7 @@ void write_circle(const std::filesystem::path& file, double R, double w) {
 }
 
 TEST(ContactMotion, ForceLiesOnTheLineOfCentres) {
-  // A rail of radius 80 in a wheel's groove of radius 100, lowered onto it where both are inclined by -.4
+  // A rail of radius 80 in a wheel's groove of radius 100, lowered onto it where both are inclined by -0.4
   // rad. Frictionless pressure on circles passes through their centres. The wheel's centres form a ring about
   // the axle, which rises by x^2 / (2 * 560) off x = 0.
   const TemporaryFolder folder;

@@ -1,5 +1,6 @@
 #include "bem_contact/sequence/numbers/sequence_files.hpp"
 #include "bem_contact/sequence/plan/contact_case.hpp"
+#include "bem_contact/sequence/plan/potential_area.hpp"
 #include "bem_contact/sequence/plan/settings.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
@@ -315,10 +316,10 @@ TEST(WheelRailScene, ASecondAreaLeftOutOnPurposeIsSaid) {
   const SceneResult r =
       Sequence().solve(with_model(parse_scene_file(two_areas("s_from = -30.0\ns_to = -21.4\n")), Model::fem));
   EXPECT_TRUE(r.result.certified());
-  EXPECT_THAT(r.warnings, Contains(HasSubstr("off the rows that the scene asks for")));
+  EXPECT_THAT(r.warnings.texts(), Contains(HasSubstr("off the rows that the scene asks for")));
   const SceneResult all = Sequence().solve(with_model(parse_scene_file(two_areas("")), Model::halfspace));
   EXPECT_TRUE(all.result.certified());
-  EXPECT_THAT(all.warnings, Not(Contains(HasSubstr("left out"))));
+  EXPECT_THAT(all.warnings.texts(), Not(Contains(HasSubstr("left out"))));
 }
 
 } // namespace

@@ -6,7 +6,7 @@ from verification.page import number
 from .points import Bin, bins, picture, read, result
 
 CENTRES = [.53, .69, .88, 1.09, 1.48, 2.12, 2.91, 4.28, 6.1, 9.3, 12.4, 16.1, 19.8]  # percent
-FITTED = slice(0, 4)  # bins to which the layer is fitted: .5 to 1.1 percent
+FITTED = slice(0, 4)  # bins to which the layer is fitted: 0.5 to 1.1 percent
 CITED = 1.25 / 8200   # mm3/N: example tractcurv.inp of CONTACT (Vollebregt 2014)
 YOKOSE = 0.61         # slope measured over Kalker's, 1/5 scale
 LOAD = 106700         # N

@@ -1,30 +1,46 @@
-"""Why a case differs from CONTACT's output: what the two programs do otherwise, told by the scene and by what differs."""
+"""Why a case differs from CONTACT's output: as somebody found out by runs of both programs (contact_reasons.toml)."""
 
-SHEAR_OF_ELEMENTS = 0.03  # of friction times Fn: what the place of shear in an element changes on coarse grids
-SLIP_ABOUT_A_POINT = 0.08  # of it: what slip that is linear about a point changes, in contacts with much spin
-UNEXPLAINED = "not explained"
+import csv
+import tomllib
+from pathlib import Path
+
+UNKNOWN = ("not looked at", "")
 
 
-def reason_of(scene: str, differences: dict, there: dict, here: dict) -> str:
-    """In words. `there` and `here` have the totals of both programs."""
-    shear = max(abs(differences["Fx"]), abs(differences["Fy"]))
-    normal = abs(differences["Fn"])
-    in_planes = "a plane at each patch" in scene  # D = 2 and its relatives
-    patches = max(there.get("patches", 1), int(here.get("patches", 1)))
-    if "temperature.hot_friction" in scene:
-        return "friction by temperature: the iteration between temperature and friction is relaxed there, and ends earlier"
-    if 'kind = "patch"' in scene:
-        if shear <= SHEAR_OF_ELEMENTS and normal <= 0.01:
-            return "elements: shear acts at the centre of an element there, and its mean counts here; few elements in contact"
-        return UNEXPLAINED
-    if "motion.friction_table" in scene and in_planes:
-        return "friction by inclination: one coefficient for each patch there (D = 2), one for each row here"
-    if patches > 1:
-        return "several patches: they do not feel each other's pressure there, or only partly (D_SEP, D_COMB)"
-    if "position.vertical" in scene and normal > 0.01:
-        return "the height is given: a plane at the patch there (D = 2), the surface here; Fn grows by 1 % in 0.5 um"
-    if in_planes and shear <= SLIP_ABOUT_A_POINT:
-        return "a plane at the patch there (D = 2): its slip is linear about one point, and its angle is that of the point"
-    if not in_planes and "rail.place" not in scene:
-        return "curved surface: another reference point and direction of the slip (D = 4)"
-    return UNEXPLAINED
+def read() -> dict:
+    """The file: "why", sentences by name, and "shown", what showed which of them in which cases."""
+    return tomllib.loads(Path(__file__).with_name("contact_reasons.toml").read_text())
+
+
+class Reasons:
+    """The reasons of single cases, each with the run that showed it."""
+
+    def __init__(self):
+        found = read()
+        self._of = {(entry["file"], case): (found["why"][entry["why"]], entry["shown"])
+                    for entry in found["shown"] for case in cases_of(entry["cases"])}
+
+    def __len__(self) -> int:
+        return len(self._of)
+
+    def of(self, file: Path, case: int) -> tuple:
+        """In words: why it differs, and what showed it."""
+        return self._of.get((file.as_posix(), case), UNKNOWN)
+
+
+def cases_of(text: str) -> list:
+    """The numbers of "1-3, 7"."""
+    out = []
+    for part in text.split(","):
+        first, _, last = part.strip().partition("-")
+        out += range(int(first), int(last or first) + 1)
+    return out
+
+
+def friction_of(scene: Path) -> float:
+    """The largest coefficient of a scene."""
+    motion = tomllib.loads(scene.read_text()).get("motion", {})
+    if table := motion.get("friction_table"):
+        with open(scene.parent / table) as lines:
+            return max(float(row["mu"]) for row in csv.DictReader(lines))
+    return motion.get("friction", 0.3)

@@ -17,7 +17,7 @@ BRICKS = {"rail held at its web, wheel at its rim": (59827, 0.15127, 2074, 111.0
 QUANTITIES = ("Fy", "approach", "pmax", "area", "centre of pressure, s")
 UNITS = dict(zip(QUANTITIES, ("N", "mm", "MPa", "mm2", "mm")))
 # name: (held: rail, wheel; structural; dx, ds, rows, columns, middle of the rows on the rail; arc lengths of
-# opposite points of rail and wheel add up to, in the contact; .05 mm more changes Fy by .013 %)
+# opposite points of rail and wheel add up to, in the contact; 0.05 mm more changes Fy by 0.013 %)
 CASES = {
     "rail held at its foot, wheel at its bore": ("foot", "bore", "included", 0.5, 0.25, 22, 22, -27.75, 2.59),
     "rail held at its web, wheel at its rim": ("web", "rim", "included", 0.75, 0.5, 24, 14, -31.5, 3.295),

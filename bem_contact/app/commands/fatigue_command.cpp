@@ -7,6 +7,7 @@
 #include "bem_contact/record/csv.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/scene/sweep_check.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/uses/fatigue/fatigue_of_result.hpp"
 #include "bem_contact/uses/sweep/sweep_inputs.hpp"

@@ -12,6 +12,7 @@
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/json.hpp"
+#include "bem_contact/scene/sweep_check.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/result_file.hpp"
 #include "bem_contact/sequence/result_record.hpp"
@@ -160,12 +161,12 @@ std::vector<Model> models_of(const std::vector<std::string>& names) {
 }
 
 /// Each once, with the models and tables whose numbers it has.
-std::vector<std::string> warnings_of(const Comparison& comparison) {
+Warnings warnings_of(const Comparison& comparison) {
   std::vector<PlacedWarning> all;
   const auto note = [&](const std::vector<SceneResult>& results, const char* table) {
     for (const SceneResult& result : results)
-      for (const std::string& text : result.warnings)
-        all.push_back({fmt::format("{} at {}", name_of(result.choice.model), table), text});
+      for (const Warning& warning : result.warnings)
+        all.push_back({fmt::format("{} at {}", name_of(result.choice.model), table), warning});
   };
   note(comparison.at_forces, "equal forces");
   note(comparison.at_position, "equal position");
@@ -229,8 +230,8 @@ ExitCode run_check(const SceneArguments& arguments) {
     print_out("{}\n", line);
   if (arguments.strict)
     refuse_warnings(found.warnings);
-  for (const std::string& warning : found.warnings)
-    print_out("warning: {}\n", warning);
+  for (const Warning& warning : found.warnings)
+    print_out("warning: {}\n", warning.text);
   return success;
 }
 

@@ -72,10 +72,12 @@ void add_elements(const CaseState& state, ContactCase& out) {
   const Block& g = state[Data::elements];
   out.set("grid.dx", g["DX"]);
   out.set("grid.ds", g["DS"]);
-  if (state.effective['D'] != 4)
-    out.leave(fmt::format(
-        "D = {}: a plane at each patch; here the elements follow the surface, and each has its own slip",
-        state.effective['D']));
+  if (const int method = state.effective['D']; method != 4) { // each patch in a plane of its own
+    out.set("grid.planar", "true");
+    if (method != 3)
+      out.leave(fmt::format(
+          "D = {}: slip that is linear about the reference point; here each element has its own", method));
+  }
   if (g["DQREL"] != 1 && state.digits['T'] == 2)
     out.refuse(fmt::format("DQREL = {}: a rolling step is dx here", g["DQREL"]));
   else if (g["DQREL"] != 1 && state.digits['T'] == 3)
@@ -161,10 +163,13 @@ void add_pose(const CaseState& state, ContactCase& out) {
   const Block& d = state[Data::wheel_deviation];
   if (d["DX"] != 0)
     out.refuse(fmt::format("DX = {} of the wheel: a wheel before or behind its axle", d["DX"]));
-  // There the wheel rolls about the origin of its profile, here about its centre, so far above.
-  const double radius = state[Data::wheelset]["NOMRAD"];
-  out.set("position.wheel_lateral", d["DY"] + radius * std::sin(d["DROLL"]));
-  out.set("position.wheel_vertical", d["DZ"] + radius * (1 - std::cos(d["DROLL"])));
+  // There the wheel rolls about the origin of its profile, here about its centre, so far above. There its
+  // deviation lies along the axes of the wheelset, which rolls, here along those of the track.
+  const double radius = state[Data::wheelset]["NOMRAD"], roll = p["ROLL"];
+  const double along = d["DY"] + radius * std::sin(d["DROLL"]),
+               down = d["DZ"] + radius * (1 - std::cos(d["DROLL"]));
+  out.set("position.wheel_lateral", along * std::cos(roll) - down * std::sin(roll));
+  out.set("position.wheel_vertical", down * std::cos(roll) + along * std::sin(roll));
   out.set("position.wheel_roll", d["DROLL"]);
   out.set("position.wheel_yaw", d["DYAW"]);
 }

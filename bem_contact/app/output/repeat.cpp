@@ -72,7 +72,7 @@ public:
   InputsAgain(const record::Record& file, fs::path folder)
       : inputs_(stored_inputs(file)), folder_(std::move(folder)) {}
 
-  void point_to(SceneReader& reader, std::vector<std::string>& warnings) {
+  void point_to(SceneReader& reader, Warnings& warnings) {
     for (const InputRecord& input : inputs_) // all of them before one is written
       require_names(input, reader);
     for (const InputRecord& input : inputs_) {
@@ -111,7 +111,7 @@ private:
     return folder_;
   }
 
-  fs::path unpack(const InputRecord& input, std::vector<std::string>& warnings) const {
+  fs::path unpack(const InputRecord& input, Warnings& warnings) const {
     if (sha256(*input.content) != input.sha256)
       throw InputError(fmt::format("The result file's copy of '{}' is damaged", input.name),
                        fmt::format("{}: its SHA-256 should be {} and is {}", input.key, input.sha256,
@@ -121,9 +121,11 @@ private:
     if (is_regular(place)) {
       const std::string now = sha256_of_file(place.string());
       if (now != input.sha256)
-        warnings.push_back(fmt::format(
-            "'{}' ({}) has changed since: its SHA-256 was {} and is {}; the copy in the result file is used",
-            place.string(), input.key, input.sha256, now));
+        warnings.add(WarningKind::changed_input,
+                     fmt::format("'{}' ({}) has changed since: its SHA-256 was {} and is {}; the copy in the "
+                                 "result file is used",
+                                 place.string(), input.key, input.sha256, now),
+                     input.key);
     }
     const bool profile = names_profile(input.key);
     const fs::path name = profile ? profile_file_name(input.name).file : fs::path(input.name);

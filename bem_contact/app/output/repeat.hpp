@@ -17,7 +17,7 @@ struct Repetition {
   std::string model;                           ///< of the file
   std::vector<QuantityDifference> differences; ///< beyond what two certified solutions may differ by
   std::vector<std::string> others;             ///< other differences, in sentences
-  std::vector<std::string> warnings;           ///< inputs that are other files today
+  Warnings warnings;                           ///< inputs that are other files today
   SceneResult result;                          ///< now
 
   bool same() const { return differences.empty() && others.empty(); }
@@ -29,7 +29,7 @@ struct Repetition {
 /// that is no result, for an input that is missing or has another digest, and what Sequence::solve() throws.
 Repetition repeat_result(const std::filesystem::path& file, const std::filesystem::path& folder);
 
-/// For people.
+/// Says in words what was repeated, and what differs.
 std::string to_text(const Repetition& repetition);
 
 /// The scene of a result, a comparison or a sweep: as it was given, or with all defaults. Throws InputError

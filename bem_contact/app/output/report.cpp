@@ -151,9 +151,8 @@ std::string reason_text(const SceneResult& r) {
   const std::vector<ContactRow>& rows = r.problem.rows;
   const bool plane =
       std::ranges::all_of(rows, [&](const ContactRow& row) { return row.delta == rows.front().delta; });
-  const bool judged = r.choice.why_this_model.starts_with("the normal turns"); // or the scene names the model
-  return !is_closed_form(r.choice.model) && !depends_on_both_rows(r.choice.model) && plane && judged &&
-                 r.choice.enough
+  return !is_closed_form(r.choice.model) && !depends_on_both_rows(r.choice.model) && plane &&
+                 r.choice.by_turn && r.choice.enough
              ? "the surfaces are flat"
              : r.choice.why_this_model;
 }

@@ -3,39 +3,38 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/run_program.hpp"
 #include "bem_contact/base/child_process.hpp"
+#include "bem_contact/base/message_file.hpp"
 #include "bem_contact/base/printable.hpp"
+#include "bem_contact/base/temporary_folder.hpp"
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fmt/format.h>
 #include <functional>
-#include <string_view>
 
 namespace bem_contact::app {
 
 namespace {
 
-void take_line(const std::string& text, LineOutcome& outcome, std::set<std::string>& said) {
-  const auto keep = [&](std::string_view begin, std::vector<std::string>& kept) {
-    if (text.starts_with(begin))
-      kept.push_back(text.substr(begin.size()));
-  };
-  keep("error: ", outcome.errors);
-  keep("warning: ", outcome.warnings);
-  const bool message = text.starts_with("info: ") || text.starts_with("warning: ");
-  if (!message || said.insert(text).second)
-    print_error("{}\n", text);
-}
-
 LineOutcome in_process(const std::filesystem::path& text, std::set<std::string>& said,
                        const std::function<int()>& work) {
   LineOutcome out;
-  ChildProcess child(text, work);
+  const TemporaryFolder folder;
+  MessageFile told(folder / "messages.txt");
+  ChildProcess child(text, [&] {
+    setenv(message_file_variable, told.file().c_str(), true);
+    return work();
+  });
   while (const auto line = child.next_line())
-    take_line(*line, out, said);
+    if (line->empty() || said.insert(*line).second)
+      print_error("{}\n", *line);
   std::string how;
   out.code = child.wait(how);
+  for (const ToldMessage& message : told.next())
+    if (message.kind != Told::progress)
+      (message.kind == Told::error ? out.errors : out.warnings).push_back(message.text);
   if (out.code >= 0)
     return out;
   out.code = unforeseen;
@@ -65,8 +64,8 @@ LineOutcome run_other(const std::vector<std::string>& words, const std::filesyst
                       std::set<std::string>& said) {
   return in_process(text, said, [&] {
     ProgramLine(words).become();
-    print_error("error: '{}' cannot be started ({}) Give influence.program a program that is there.\n",
-                words.front(), std::strerror(errno));
+    say_error(fmt::format("'{}' cannot be started ({}) Give influence.program a program that is there.",
+                          words.front(), std::strerror(errno)));
     return static_cast<int>(wrong_input);
   });
 }

@@ -13,9 +13,19 @@
 
 namespace bem_contact::app {
 
+/// What differs in how a part is run.
+enum class PartKind {
+  usual,     ///< one command, one result file
+  influence, ///< the program of [influence]; no result file
+  wheelset,  ///< says where the wheel is that other parts take
+  sweep,     ///< tables (CSV) beside its result
+  wear       ///< a folder of its own
+};
+
 /// A command as a part of a study.
 struct Part {
-  const char* name;    ///< of its table in the scene, its files and its group
+  const char* name; ///< of its table in the scene, its files and its group
+  PartKind kind = PartKind::usual;
   const char* title;   ///< what it answers
   const char* command; ///< "": the program of [influence]
   bool (*asked)(const StudyCase&);
@@ -28,7 +38,7 @@ struct Part {
   bool has_models = false; ///< by several models, each in its turn
 };
 
-/// All of them, in the order of their work: a later one may use what an earlier one has found.
+/// Lists the parts in the order of their work: a later one may use what an earlier one has found.
 std::span<const Part> all_parts();
 const Part* part_named(std::string_view name); ///< null: none
 

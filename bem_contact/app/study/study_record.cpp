@@ -211,7 +211,7 @@ record::Record taken_record(const SceneText& scene) {
 record::Record record_of_part(const PartResult& result) {
   if (result.file.empty())
     return {};
-  const bool cases = std::string_view(result.part->name) == "sweep";
+  const bool cases = result.part->kind == PartKind::sweep;
   return cases ? record::read_hdf5_top(result.file, "patches") : record::read_hdf5(result.file);
 }
 
@@ -262,7 +262,7 @@ std::vector<std::string> write_tables(OutputFolder& folder, const std::vector<Pa
     names.push_back(name);
   };
   for (const PartResult& result : results) {
-    if (std::string_view(result.part->name) == "sweep") { // the command has written them
+    if (result.part->kind == PartKind::sweep) { // the command has written them
       for (const char* name : {"sweep.csv", "sweep_patches.csv", "sweep_units.csv"})
         if (file_exists(folder / name))
           names.emplace_back(name);

@@ -13,6 +13,7 @@
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/found.hpp"
 #include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/scene/sweep_check.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
 #include "bem_contact/uses/sweep/sweep_inputs.hpp"
 #include "bem_contact/uses/sweep/sweep_join.hpp"

@@ -15,6 +15,7 @@
 #include "bem_contact/record/error_text.hpp"
 #include "bem_contact/record/found.hpp"
 #include "bem_contact/scene/settings.hpp"
+#include "bem_contact/scene/sweep_check.hpp"
 #include "bem_contact/uses/sweep/sweep_inputs.hpp"
 #include "bem_contact/uses/wear/study.hpp"
 

@@ -46,6 +46,41 @@ template <class Of> std::vector<double> of_rows(const ContactProblem& problem, c
   return values;
 }
 
+/// Shear forces of a patch's elements, N.
+struct ShearParts {
+  std::span<const Part> x, s;
+};
+
+/// The moment about the patch's centre, and what friction does. `out`: with its centre.
+void add_moment_and_work(const ContactProblem& problem, const ContactResult& result,
+                         std::span<const int> elements, const ShearParts& shear, Region& out) {
+  const double dS = problem.element_area();
+  const std::vector<double> rate = friction_work_density(result), slipping = dissipated_in_slip(result);
+  const std::vector<double> share = of_rows(problem, [&](int row) { return problem.lateral_share(row); });
+  std::vector<Part> moment, driving;
+  moment.reserve(elements.size());
+  driving.reserve(elements.size());
+  const bool steady = problem.motion == MotionKind::steady;
+  double pressed = 0;
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    const int i = elements[k];
+    const double lever_x = problem.grid.x(i % problem.grid.mx) - out.x;
+    const double lever_s = problem.rows[i / problem.grid.mx].s - out.s;
+    moment.push_back(
+        {lever_x * shear.s[k].value - lever_s * shear.x[k].value, shear.x[k].fn, shear.x[k].adheres});
+    if (!problem.has_friction())
+      continue;
+    out.T_gamma += rate[i] * dS;
+    out.T_gamma_in_slip += slipping[i] * dS;
+    const double sheared = steady ? shear_drive(problem, result, i, share[i / problem.grid.mx]) : rate[i];
+    driving.push_back({sheared * dS, shear.x[k].fn, shear.x[k].adheres});
+    pressed += steady ? pressure_drive(problem, result, i) * dS : 0.0;
+  }
+  out.driving_power = sum_of(driving);
+  out.driving_power.total += pressed; // of large parts, which cancel: none of them counts for its error
+  out.moment = sum_of(moment);
+}
+
 Region region_of(const ContactProblem& problem, const ContactResult& result, std::span<const int> elements) {
   const Field field{problem, result};
   const double dS = problem.element_area();
@@ -83,29 +118,7 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
   out.area = out.contact * dS;
   out.x /= out.fn;
   out.s /= out.fn;
-  const std::vector<double> rate = friction_work_density(result), slipping = dissipated_in_slip(result);
-  const std::vector<double> share = of_rows(problem, [&](int row) { return problem.lateral_share(row); });
-  std::vector<Part> moment, driving;
-  moment.reserve(elements.size());
-  driving.reserve(elements.size());
-  const bool steady = problem.motion == MotionKind::steady;
-  double pressed = 0;
-  for (std::size_t k = 0; k < elements.size(); ++k) {
-    const int i = elements[k];
-    const double lever_x = problem.grid.x(i % problem.grid.mx) - out.x;
-    const double lever_s = problem.rows[i / problem.grid.mx].s - out.s;
-    moment.push_back({lever_x * fs[k].value - lever_s * fx[k].value, fx[k].fn, fx[k].adheres});
-    if (!problem.has_friction())
-      continue;
-    out.T_gamma += rate[i] * dS;
-    out.T_gamma_in_slip += slipping[i] * dS;
-    const double sheared = steady ? shear_drive(problem, result, i, share[i / problem.grid.mx]) : rate[i];
-    driving.push_back({sheared * dS, fx[k].fn, fx[k].adheres});
-    pressed += steady ? pressure_drive(problem, result, i) * dS : 0.0;
-  }
-  out.driving_power = sum_of(driving);
-  out.driving_power.total += pressed; // of large parts, which cancel: none of them counts for its error
-  out.moment = sum_of(moment);
+  add_moment_and_work(problem, result, elements, {fx, fs}, out);
   return out;
 }
 

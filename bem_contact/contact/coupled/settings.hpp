@@ -12,8 +12,8 @@ BEM_CONTACT_TUNED(double, coupling_rounding, 1e-13);
 /// 1. Tolerance of the first outer iterations: shear is only known so well, and tighter would be wasted work.
 /// With 1e-4 sequences take 3 % more instructions.
 BEM_CONTACT_TUNED(double, loose_tolerance, 1e-3);
-/// 1. The tolerance follows the change of the last outer iteration, times this. Of .01 to .2 it takes the
-/// fewest instructions in sequences: with .01 those of finite elements take 4 % more.
+/// 1. The tolerance follows the change of the last outer iteration, times this. Of 0.01 to 0.2 it takes the
+/// fewest instructions in sequences: with 0.01 those of finite elements take 4 % more.
 BEM_CONTACT_TUNED(double, tolerance_of_change, 0.1);
 /// 1. A tolerance below this times the one asked for becomes that one: this outer iteration may be the last,
 /// and what is left takes Newton's method hardly a step.

@@ -219,7 +219,7 @@ constexpr BodyFile::Strip usual_strip_of_wheel{.from = 20, .to = 50};
 
 /// What the tolerance asks for, fitted to block, disc, rail and wheel (fem_influence/THEORY.md, sections 3
 /// and 7): the number itself is off by 2.3 % (3/p)^4 / 4^levels with one element a station, far numbers by
-/// .03 % at 7 samples a decade. Each gets a part of the tolerance that leaves room for the other.
+/// 0.03 % at 7 samples a decade. Each gets a part of the tolerance that leaves room for the other.
 void choose(BodyFile& f, const Schema& s) {
   if (!s.has("harmonic.degree"))
     f.harmonic.degree = f.tolerance < 3e-4 ? 4 : 3;

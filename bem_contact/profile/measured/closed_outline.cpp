@@ -20,8 +20,8 @@ namespace {
 constexpr double closing_spacings = 3.0;
 /// 1 (share of its length). As above, of few points.
 constexpr double widest_closing = 0.1;
-/// 1 (share of the square of the length). A closed outline encloses more: a rail .017, a scan there and back
-/// .001.
+/// 1 (share of the square of the length). A closed outline encloses more: a rail 0.017, a scan there and back
+/// 0.001.
 constexpr double least_enclosed = 0.005;
 /// 1 (share of the height). Within so much of its end in z a rail's base has its whole width.
 constexpr double base_band = 0.02;

@@ -15,7 +15,7 @@ namespace {
 constexpr double farthest_means = 1.0;
 /// 1. Fewer means are no scan. Chosen.
 constexpr std::size_t least_means = 20;
-/// mm. Points that scatter by more are no scan of one surface. Chosen: laser scanners scatter by .1 mm.
+/// mm. Points that scatter by more are no scan of one surface. Chosen: laser scanners scatter by 0.1 mm.
 constexpr double largest_scan_scatter = 0.3;
 
 /// Of `count` points each; what is left over at the end joins the last.

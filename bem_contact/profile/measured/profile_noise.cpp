@@ -32,7 +32,7 @@ constexpr double normal_deviation_over_quiet = 2.2037;
 constexpr double shape_share = 0.5;
 /// mm. Waves are looked for in the means of so long stretches: with nine of them, those of 2 to 10 mm.
 constexpr double wave_stretch = 1.0;
-/// mm. Waves of less are not told from shape: S1002 without noise leaves .0001. Chosen.
+/// mm. Waves of less are not told from shape: S1002 without noise leaves 0.0001. Chosen.
 constexpr double least_waves = 5e-4;
 /// 1. Of both deviations, each times the root of its distance. White noise on six standards has 1.0 to 1.9,
 /// as shape adds to it; waves of 1 um beside a scatter of 0.3 um have 7 and more.
@@ -45,7 +45,7 @@ constexpr double least_noise_pressure = 15;
 /// (e sqrt(h)) to that exponent: the wavelength at which the scatter of the smoothed curvature, which grows
 /// as e sqrt(h) L^(-5/2), is the same for every file. Measured with tools/benchmarks/profile_noise.
 constexpr double smoothing_for_noise = 120;
-/// 1. As above.
+/// 1. The exponent of this law.
 constexpr double smoothing_for_noise_exponent = 0.4;
 
 /// How far the middle point is from the cubic that fits all points, over what noise of deviation 1 makes of

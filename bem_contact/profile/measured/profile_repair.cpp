@@ -32,18 +32,18 @@ constexpr double end_point_penalty = 1e-3;
 constexpr double repairable_loop = 1.0;
 /// mm. Widths that a rail's or wheel's profile can have. A wheel's rim is 140 mm wide.
 constexpr double narrowest_profile = 10.0;
-/// mm. As above.
+/// mm. A profile that is wider is none, either.
 constexpr double widest_profile = 300.0;
 /// The file's unit. A profile this wide is in metres: no profile in mm is as narrow.
 constexpr double narrowest_in_metres = 0.02;
-/// As above.
+/// The file's unit. A wider profile is not in metres.
 constexpr double widest_in_metres = 0.3;
 /// mm. A file whose unit is not said and that is narrower is asked about: heads of rails are wider than 60
 /// mm, wheels wider than 100 mm, and in centimetres both are narrower than this.
 constexpr double narrowest_unasked = 16.0;
 /// mm. Widths that a whole rail or wheel has: what a narrower file would be in another unit.
 constexpr double narrowest_guess = 55.0;
-/// mm. As above.
+/// mm. A profile that is wider is none, either.
 constexpr double widest_guess = 160.0;
 /// 1. Points are out of order if sorting by y shortens the walk by this factor. Chosen: two shuffled points
 /// of a short file already do.

@@ -27,7 +27,7 @@ constexpr double least_flanks = 16.0;
 /// rad. Flanks whose axis leans by more are not inclined in the track (1:20), but one of them is worn down to
 /// the end of the scan.
 constexpr double largest_lean = 0.07;
-/// mm. Less wear of one side than of the other tells nothing: rolling tolerances are .5 mm. Chosen.
+/// mm. Less wear of one side than of the other tells nothing: rolling tolerances are 0.5 mm. Chosen.
 constexpr double least_side_wear = 1.0;
 
 constexpr double depth_step = 0.5; // mm

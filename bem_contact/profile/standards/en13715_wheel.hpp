@@ -27,7 +27,7 @@ std::string words_of(const En13715Wheel& wheel);
 
 /// The pieces of that wheel, from those of the usual one (data/standards/EN13715.csv). A thinner flange
 /// stands farther back: what lies before it moves with it, and a straight line joins the tread at the tape
-/// circle. A higher flange has a larger radius on its face, 20 + .75 (h - 28) mm. Throws InputError outside
+/// circle. A higher flange has a larger radius on its face, 20 + 0.75 (h - 28) mm. Throws InputError outside
 /// the ranges.
 std::vector<DrawnPiece> en13715_wheel(const std::vector<DrawnPiece>& usual, const En13715Wheel& wheel);
 

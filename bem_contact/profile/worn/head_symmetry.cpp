@@ -24,10 +24,10 @@ constexpr double symmetric_widths = 1.5;
 /// 1 (cosine to the horizontal). Steeper parts, beyond 64 degrees, are the sides of a head.
 constexpr double steep_cosine = 0.44;
 /// 1. Shares of the sides and of what is between that must be symmetric. A flank and a worn gauge face, with
-/// an axis that is wrong by 25 to 50 mrad, cross the top so that .03 to .04 of it lies on its image; 1 mm off
-/// the top and .6 mm off the gauge corner of 39 standards leave .15 and more.
+/// an axis that is wrong by 25 to 50 mrad, cross the top so that 0.03 to 0.04 of it lies on its image; 1 mm
+/// off the top and 0.6 mm off the gauge corner of 39 standards leave 0.15 and more.
 constexpr double least_symmetric_sides = 0.5;
-/// 1. As above.
+/// 1. Share of the top that must be symmetric, by the same heads.
 constexpr double least_symmetric_top = 0.15;
 /// 1. Share of a top that is not worn on one side. Chosen.
 constexpr double whole_top = 0.9;

@@ -29,7 +29,7 @@ constexpr double worn_share = 0.1;
 /// evenly lies as well on 60E1.
 constexpr double like_tie = 1.5;
 /// 1 (share of the points). A standard on which less of a profile lies is not like it. New wheels of seven
-/// other shapes lie on S1002 by .05 to .16, S1002 worn by 2 mm on the whole tread by .33.
+/// other shapes lie on S1002 by 0.05 to 0.16, S1002 worn by 2 mm on the whole tread by 0.33.
 constexpr double least_unworn_share = 0.25;
 /// 1. A rail whose top is worn all over is told by its flanks: this share of each of them must lie on the
 /// standard,
@@ -39,8 +39,8 @@ constexpr double least_share_with_flanks = 0.1;
 /// 1. On the standard from which it is worn more lies. Chosen.
 constexpr double surely_like_share = 0.5;
 /// rad. Inclinations by a standard and by symmetry that differ by more do not belong together: 1 mm off the
-/// top and .6 mm off the gauge corner move that by symmetry by 4 mrad (46E3), and 49E1 lies on 54E1 turned by
-/// 6 mrad and more.
+/// top and 0.6 mm off the gauge corner move that by symmetry by 4 mrad (46E3), and 49E1 lies on 54E1 turned
+/// by 6 mrad and more.
 constexpr double symmetry_slack = 0.005;
 /// rad. A rail that is turned by this or more was measured as it lies in the track: half of 1:40, the
 /// smallest inclination in use.

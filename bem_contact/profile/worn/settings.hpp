@@ -21,7 +21,7 @@ BEM_CONTACT_TUNED(double, placing_damping, 1e-9);
 BEM_CONTACT_TUNED(double, least_placing_weight, 0.05);
 BEM_CONTACT_TUNED(double, largest_placing_angle, 0.12); ///< rad. No rail is measured more inclined.
 /// 1. What a point on the top of a rail tells of its place, beside one on a vertical flank: wheels wear the
-/// top and the gauge corner. With 1, .3 mm off the top and .6 mm off the corner turn the place of 60E1 by
+/// top and the gauge corner. With 1, 0.3 mm off the top and 0.6 mm off the corner turn the place of 60E1 by
 /// 1.6 mrad, and 2 mm worn evenly off the top lay it on the worn top.
 BEM_CONTACT_TUNED(double, told_on_top, 0.1);
 /// mm. A point this near is unworn. Chosen.

@@ -39,10 +39,11 @@ class Result(_Numbers):
     # Trust.
     found: Final[list[str]]
     model: Final[str]
-    reason: Final[str]
+    why_this_model: Final[str]
     why_not_certified: Final[str]
     why_no_errors: Final[str]
     warnings: Final[list[str]]
+    warning_kinds: Final[list[str]]
     certified: Final[bool]
     converges_with_elements: Final[bool | None]
     seconds: Final[float]

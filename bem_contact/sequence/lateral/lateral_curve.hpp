@@ -48,7 +48,7 @@ public:
   std::optional<double> operator()(double lateral);
   /// The model's force at a displacement.
   void learn(const LateralSample& exact);
-  /// That of the model, where it is known.
+  /// Returns the force of the model, where it is known.
   std::optional<double> exact(double lateral) const;
   /// The nearest displacement on the side of `direction` (-1 or 1), or this one, where the model is known.
   std::optional<LateralSample> exact_beside(double lateral, int direction) const;

@@ -15,7 +15,7 @@ BEM_CONTACT_TUNED(double, spacing, 2.0);
 /// model itself is asked: rough forces differ from the model's by some per cent.
 BEM_CONTACT_TUNED(double, near, 0.05);
 /// 1. Forces that differ by less than this, over the resultant, count as alike where places are told by them:
-/// rough solutions of S1002 on 60E1 are uneven by .0005.
+/// rough solutions of S1002 on 60E1 are uneven by 0.0005.
 BEM_CONTACT_TUNED(double, uneven, 1e-3);
 /// mm. A larger stated error of the lateral displacement gives a warning: the force then hardly determines
 /// it. A rail's gauge is measured to some tenths, and a flange takes up 20 kN within this. Steps of a search

@@ -17,7 +17,7 @@ namespace {
 /// 1. Share of the wheel's or roller's radius by which that of an influence file may differ.
 constexpr double radius_tolerance = 0.01;
 /// rad. An influence file's roller has its axis parallel to y of its own section, and so it cannot be
-/// inclined. Inclined by as much, its radius differs over a head 70 mm wide by .7 % of 500 mm, within the
+/// inclined. Inclined by as much, its radius differs over a head 70 mm wide by 0.7 % of 500 mm, within the
 /// tolerance of radii. An inclination of 1:20 is less.
 constexpr double largest_roller_inclination = 0.051;
 

@@ -40,17 +40,6 @@ ContactEstimate estimate_contact(std::vector<RailSlice> slices, const PairCompli
 /// it is without friction. Throws InputError where the bodies approach by more than elasticity allows.
 ContactEstimate estimate_contact(const ContactSetup& setup, bool foresee_shear);
 
-/// One area where the undeformed distance is below what the approach asks for.
-struct PotentialArea {
-  double s_from = 0, s_to = 0, x_from = 0, x_to = 0; ///< mm
-
-  bool operator==(const PotentialArea&) const = default;
-};
-/// Returns all areas, h < q cos(delta), along s.
-std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate, double q);
-/// Returns the areas where the undeformed distance is below potential_share of the estimate's own approach.
-std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate);
-
 /// What the estimate says of the area that bears most.
 struct EstimatedContact {
   double normal = 0;            ///< normal force, of all areas, N
@@ -83,11 +72,5 @@ std::vector<EstimatedArea> estimated_areas(const ContactEstimate& estimate, cons
 /// plane strain, and on fewer than three columns.
 std::optional<ContactEstimate> estimate_contact(const ContactProblem& problem,
                                                 const PairCompliance& compliance);
-
-/// How large the estimate says that the contact is, mm, mm^2. In s the sum over all areas.
-struct ContactExtent {
-  double along_x = 0, along_s = 0, area = 0;
-};
-ContactExtent contact_extent(const ContactEstimate& estimate);
 
 } // namespace bem_contact

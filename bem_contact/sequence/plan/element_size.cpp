@@ -4,6 +4,7 @@
 #include "bem_contact/sequence/asked_error.hpp"
 #include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/plan/model_errors.hpp"
+#include "bem_contact/sequence/plan/potential_area.hpp"
 #include "bem_contact/sequence/plan/settings.hpp"
 
 #include <algorithm>
@@ -21,8 +22,8 @@ constexpr double rare_error = 0.02;
 /// 1. Errors scatter: the number of elements comes down to no less than this share of the last one.
 constexpr double least_change = 0.35;
 /// 1. The next case begins between the usual number of elements and what this one needed: at this share of
-/// the way in the logarithm. A case that needed many says little of the next. With .5 the cases of
-/// data/scenes/cases_*.toml take .5 to 1 times the processor's time that they take with 1, with 0 more.
+/// the way in the logarithm. A case that needed many says little of the next. With 0.5 the cases of
+/// data/scenes/cases_*.toml take 0.5 to 1 times the processor's time that they take with 1, with 0 more.
 constexpr double learnt_share = 0.5;
 /// 1. Fewest elements in contact for usual_accuracy with influence files; for another accuracy in proportion
 /// to its power -0.5. Of 180 to 900 elements tried on the cases of data/scenes/cases_fem.toml, 180, 300 and

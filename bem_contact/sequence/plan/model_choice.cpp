@@ -120,8 +120,8 @@ ModelChoice choose_model(const ContactTraits& traits, const ModelRequest& reques
   for (const ElasticityModel& model : elasticity_models())
     if (model.errors)
       candidates.push_back({&model, model.errors(traits)});
-  const std::string turn =
-      traits.prescribed.structures ? "the structures' motion is included; " : turn_text(traits.turn);
+  const bool by_turn = !traits.prescribed.structures;
+  const std::string turn = by_turn ? turn_text(traits.turn) : "the structures' motion is included; ";
   const PredictedQuantities predicted = split_by_what_files_add(traits, request);
   const auto errors = [&](const std::vector<ErrorQuantity>& of, std::size_t models) {
     std::string out;
@@ -134,13 +134,13 @@ ModelChoice choose_model(const ContactTraits& traits, const ModelRequest& reques
   for (std::size_t k = 0; k < candidates.size(); ++k)
     if (largest(candidates[k].errors, request) <= request.tolerance)
       return {candidates[k].model->model,
-              turn + enough_text(errors(predicted.known, k + 1), request, predicted)};
-  const std::string reason = turn + judged(errors(request.of, candidates.size()), false, request);
+              turn + enough_text(errors(predicted.known, k + 1), request, predicted), true, by_turn};
+  const std::string too_large = turn + judged(errors(request.of, candidates.size()), false, request);
   if (request.fem)
-    return {model_of_files(), reason};
+    return {model_of_files(), too_large, true, by_turn};
   const auto best = std::ranges::min_element(candidates, {},
                                              [&](const Candidate& c) { return largest(c.errors, request); });
-  return {best->model->model, reason + ", but " + request.without_fem, false};
+  return {best->model->model, too_large + ", but " + request.without_fem, false, by_turn};
 }
 
 ModelChoice choose_model(const ContactSetup& setup, const ContactProblem& problem,

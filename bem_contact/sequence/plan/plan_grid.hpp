@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem_contact/scene/grid_plan.hpp"
-#include "bem_contact/sequence/plan/contact_estimate.hpp"
+#include "bem_contact/sequence/plan/potential_area.hpp"
 
 namespace bem_contact {
 

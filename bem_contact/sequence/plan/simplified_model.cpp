@@ -3,24 +3,18 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/totals.hpp"
 #include "bem_contact/geometry/undeformed_distance.hpp"
-#include "bem_contact/reference/creep_coefficients.hpp"
-#include "bem_contact/reference/hertz.hpp"
-#include "bem_contact/sequence/plan/contact_estimate.hpp"
 #include "bem_contact/sequence/plan/settings.hpp"
+#include "bem_contact/sequence/plan/simplified_patch.hpp"
 #include "bem_contact/sequence/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace bem_contact {
 
 namespace {
 
-/// 1. Ratios of the semi-axes for which there are creep coefficients (reference/creep_coefficients.hpp);
-/// beyond them the nearest are taken.
-constexpr double flattest = 0.1, longest = 10;
 /// 1. Bounds of what it misses of the half-space, of shear forces over full friction: fitted to 322 random
 /// scenes (S1002 and worn wheels on 60E1 and worn rails, -5 to 7.5 mm, 20 to 150 kN, creepages from 1e-4 to
 /// 1e-2 and spin to 6e-4 1/mm) so that they hold in 98 of 100, and taken 15 % larger for the flanges of
@@ -30,7 +24,8 @@ constexpr double turn_shear_miss = 0.38; ///< 1/rad
 /// 1. The same of the largest pressure, relative.
 constexpr double deviation_pressure_miss = 0.91;
 constexpr double turn_pressure_miss = 0.45; ///< 1/rad
-/// 1. Of the power of friction, relative: without full slip it may miss most of it (half of the scenes: .13).
+/// 1. Of the power of friction, relative: without full slip it may miss most of it (half of the scenes:
+/// 0.13).
 constexpr double power_miss = 1.0;
 /// 1. Fewest elements of a patch.
 constexpr int fewest_patch_elements = 9;
@@ -42,57 +37,8 @@ constexpr int most_force_steps = 100;
 /// find it.
 constexpr double steepest_fall = 0.8;
 constexpr double slip_precision = 1e-13; ///< 1, of the share of the traction that slip takes off
-constexpr int most_slip_steps = 200;     ///< .8 to this power is rounding
+constexpr int most_slip_steps = 200;     ///< 0.8 to this power is rounding
 constexpr double small_velocity = 1e-3;  ///< mm/s, at which the slope of friction at 0 is taken
-
-/// Where the creepages of a patch are those at its middle: w = (xi - phi s, eta + phi x).
-struct PatchCreepage {
-  double xi = 0, eta = 0, phi = 0;
-};
-
-/// From the rigid slip of the elements: by least squares over those of the ellipse.
-PatchCreepage creepage_of(const ContactProblem& problem, const SimplifiedPatch& patch,
-                          const std::vector<int>& elements) {
-  PatchCreepage out;
-  double x_mean = 0, s_mean = 0, turning = 0, squares = 0;
-  const double n = double(elements.size());
-  for (const int i : elements) {
-    out.xi += problem.slip_x[i] / n;
-    out.eta += problem.slip_s[i] / n;
-    x_mean += (problem.grid.x(i % problem.grid.mx) - patch.x) / n;
-    s_mean += (problem.rows[i / problem.grid.mx].s - patch.s) / n;
-  }
-  for (const int i : elements) {
-    const double x = problem.grid.x(i % problem.grid.mx) - patch.x - x_mean,
-                 s = problem.rows[i / problem.grid.mx].s - patch.s - s_mean;
-    turning += x * (problem.slip_s[i] - out.eta) - s * (problem.slip_x[i] - out.xi);
-    squares += x * x + s * s;
-  }
-  out.phi = turning / squares;
-  out.xi += out.phi * s_mean;
-  out.eta -= out.phi * x_mean;
-  return out;
-}
-
-double radius_in(const SimplifiedPatch& patch, double x, double s) {
-  return std::hypot((x - patch.x) / patch.semi_axis_x, (s - patch.s) / patch.semi_axis_s);
-}
-
-/// Elements whose middle lies in the ellipse and in no larger one, row by row, each row from its leading
-/// edge.
-std::vector<std::vector<int>> elements_of(const ContactProblem& problem,
-                                          const std::vector<SimplifiedPatch>& patches) {
-  const ContactGrid& grid = problem.grid;
-  std::vector<std::vector<int>> out(patches.size());
-  for (int is = 0; is < grid.ms; ++is)
-    for (int ix = grid.mx - 1; ix >= 0; --ix)
-      for (std::size_t k = 0; k < patches.size(); ++k)
-        if (radius_in(patches[k], grid.x(ix), problem.rows[is].s) < 1) {
-          out[k].push_back(is * grid.mx + ix);
-          break;
-        }
-  return out;
-}
 
 /// Pressure, and the bound of Coulomb's law: both sum to what the normal force asks for.
 struct PatchFields {
@@ -238,7 +184,7 @@ ContactResult solved_for_forces(const ContactProblem& problem, const std::vector
   for (std::size_t k = 0; k < patches.size(); ++k) {
     capacity += patches[k].normal * problem.largest_friction();
     loaded.push_back(
-        {creepage_of(problem, patches[k], elements[k]), fields_of(problem, patches[k], elements[k])});
+        {patch_creepage(problem, patches[k], elements[k]), fields_of(problem, patches[k], elements[k])});
   }
   const auto rolled = [&](double creepage_x, double creepage_s) {
     return solved_with(problem, patches, elements, loaded, creepage_x, creepage_s);
@@ -281,21 +227,6 @@ ContactResult solved_for_forces(const ContactProblem& problem, const std::vector
   return at;
 }
 
-/// Flexibilities of a patch.
-void set_flexibilities(const ContactSetup& setup, const SurfaceLayer& layer, int row,
-                       SimplifiedPatch& patch) {
-  const Material &one = setup.rail.material, &other = setup.wheel.material;
-  const double shear = 2 / (1 / one.shear_modulus + 1 / other.shear_modulus),
-               poisson =
-                   0.5 * shear * (one.poisson / one.shear_modulus + other.poisson / other.shear_modulus);
-  const double a = patch.semi_axis_x, ratio = std::clamp(a / patch.semi_axis_s, flattest, longest);
-  const auto [c11, c22, c23] = reference::quick_creep_coefficients(ratio, poisson);
-  const double compliance = layer.shear_of(row);
-  patch.of_xi = 8 * a / (3 * c11 * shear) + compliance;
-  patch.of_eta = 8 * a / (3 * c22 * shear) + compliance;
-  patch.of_phi = std::numbers::pi * a * std::sqrt(a / patch.semi_axis_s) / (4 * c23 * shear) + compliance;
-}
-
 void require_elements(const SimplifiedPatch& patch, const std::vector<int>& elements) {
   if (elements.size() < fewest_patch_elements)
     throw InputError("The elements are too large for the simplified theory",
@@ -304,53 +235,12 @@ void require_elements(const SimplifiedPatch& patch, const std::vector<int>& elem
                      "Give smaller elements.");
 }
 
-/// Where the undeformed distance of a row is least, mm: the vertex of a parabola through the three elements
-/// about it. A shift along x of half an element is as much as a creepage.
-double nearest_x(const ContactProblem& problem, int row) {
-  const ContactGrid& grid = problem.grid;
-  const double* h = problem.gap.data() + static_cast<std::size_t>(row) * grid.mx;
-  const int ix = std::clamp(static_cast<int>(std::min_element(h, h + grid.mx) - h), 1, grid.mx - 2);
-  const double bend = h[ix - 1] - 2 * h[ix] + h[ix + 1];
-  const double off = bend > 0 ? std::clamp(0.5 * (h[ix - 1] - h[ix + 1]) / bend, -1.0, 1.0) : 0.0;
-  return grid.x(ix) + off * grid.dx;
-}
-
 } // namespace
-
-std::vector<SimplifiedPatch> simplified_patches(const ContactSetup& setup, const ContactProblem& problem) {
-  const double modulus = reference::contact_modulus(setup.rail.material, setup.wheel.material);
-  const PairCompliance compliance = pair_compliance(setup);
-  const SurfaceLayer layer = setup.layer.on(problem.rows);
-  std::vector<SimplifiedPatch> out;
-  const std::optional<ContactEstimate> estimate = estimate_contact(problem, compliance);
-  if (!estimate)
-    return out;
-  for (const EstimatedArea& area : estimated_areas(*estimate, compliance)) {
-    const double along = std::sqrt(area.depth / area.half),
-                 across = area.overlap / (std::numbers::pi * along);
-    if (!(area.normal > 0) || !(across > 0))
-      continue;
-    SimplifiedPatch patch{.x = area.x, .s = area.s, .normal = area.normal, .delta = area.delta};
-    patch.curvature_x = area.half;
-    patch.curvature_s = area.depth / (across * across);
-    const auto hertz = reference::hertz_by_force(patch.curvature_x, patch.curvature_s, modulus, area.normal);
-    patch.semi_axis_x = hertz.semi_axis_x;
-    patch.semi_axis_s = hertz.semi_axis_s;
-    patch.pressure = hertz.max_pressure;
-    patch.approach = hertz.approach;
-    const int row = static_cast<int>(std::lround(row_index(problem, patch.s)));
-    patch.x = nearest_x(problem, row);
-    set_flexibilities(setup, layer, row, patch);
-    out.push_back(patch);
-  }
-  std::ranges::sort(out, std::greater(), &SimplifiedPatch::normal);
-  return out;
-}
 
 ContactResult solve_simplified(const ContactSetup& setup, const ContactProblem& problem) {
   require_served(setup, problem);
   std::vector<SimplifiedPatch> patches = simplified_patches(setup, problem);
-  const std::vector<std::vector<int>> elements = elements_of(problem, patches);
+  const std::vector<std::vector<int>> elements = elements_of_patches(problem, patches);
   for (std::size_t k = 0; k < patches.size(); ++k)
     require_elements(patches[k], elements[k]);
   ContactResult result = solved_for_forces(problem, patches, elements);
@@ -380,7 +270,7 @@ ContactResult solve_simplified(const ContactSetup& setup, const ContactProblem& 
 
 SimplifiedTraits simplified_traits(const ContactSetup& setup, const ContactProblem& problem) {
   const std::vector<SimplifiedPatch> patches = simplified_patches(setup, problem);
-  const std::vector<std::vector<int>> elements = elements_of(problem, patches);
+  const std::vector<std::vector<int>> elements = elements_of_patches(problem, patches);
   SimplifiedTraits out;
   double normal = 0;
   for (std::size_t k = 0; k < patches.size(); ++k) {
@@ -398,7 +288,7 @@ SimplifiedTraits simplified_traits(const ContactSetup& setup, const ContactProbl
       lowest = std::min(lowest, row.delta);
       highest = std::max(highest, row.delta);
     }
-    const double phi = creepage_of(problem, patch, elements[k]).phi,
+    const double phi = patch_creepage(problem, patch, elements[k]).phi,
                  friction = problem.friction_of(elements[k].front() / problem.grid.mx);
     normal += patch.normal;
     out.deviation += patch.normal * deviation;

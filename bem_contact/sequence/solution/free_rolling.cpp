@@ -65,7 +65,7 @@ SceneResult solve_from_free_rolling(const ContactCase& asked, const SceneFile::G
       former_of(free.choice.model, free.problem, free.result, *asked.estimate);
   resources.start = start ? &*start : resources.start;
   SceneResult out = solve_case(counted, grid, resources);
-  take_choice(free, out);
+  take_choice(free.choice, out);
   out.motion.free_rolling = counted_as(out, *found);
   out.seconds.free_rolling = seconds;
   return out;

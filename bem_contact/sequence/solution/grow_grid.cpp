@@ -167,8 +167,8 @@ void warn_of_edge(const Touched& touched, GridSolution& out) {
   const bool along_x = touched.columns && grid.mx > 1;
   const bool along_s = (touched.first_row || touched.last_row) && grid.ms > 1;
   if (along_x || along_s)
-    out.warnings.push_back(
-        edge_warning({along_s && touched.first_row, along_s && touched.last_row, along_x}));
+    out.warnings.add(WarningKind::edge_of_grid,
+                     edge_warning({along_s && touched.first_row, along_s && touched.last_row, along_x}));
 }
 
 /// The plan on which to solve again so that a second area lies on it; nothing where there is none. A warning
@@ -182,7 +182,8 @@ std::optional<GridPlan> plan_with_second_area(const ContactCase& contact, bool o
   const bool rows_given = asked.ms || asked.rows;
   const double q = local_approach(contact, out);
   if (rows_given || is_closed_form(out.model)) {
-    out.warnings.push_back(left_out_warning(*second.touch, q, rows_given, out.model));
+    out.warnings.add(WarningKind::contact_left_out,
+                     left_out_warning(*second.touch, q, rows_given, out.model));
     return std::nullopt;
   }
   if (on_strips) {
@@ -231,7 +232,7 @@ GridSolution solve_on_growing_grid(const ContactCase& asked, ContactOnGrid first
     }
     if (!next) {
       if (plan.grown && (grid.mx || grid.ms || grid.rows))
-        out.warnings.push_back(grown_warning(plan));
+        out.warnings.add(WarningKind::grown_grid, grown_warning(plan));
       return out;
     }
     if (asked.estimate && out.history.empty())

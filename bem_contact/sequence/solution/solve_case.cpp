@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <iterator>
 
 namespace bem_contact {
 
@@ -39,12 +38,14 @@ double highest_pressure(const GridSolution& solved) {
   return highest;
 }
 
-void warn_of_discretisation(const ContactResult& result, std::vector<std::string>& warnings) {
+void warn_of_discretisation(const ContactResult& result, Warnings& warnings) {
   const double error = result.trust.certificate.discretisation;
   if (error > poor_discretisation)
-    warnings.push_back(fmt::format(
-        "the elements are too large for this contact: the estimated discretisation error is {:.0f} %",
-        100 * error));
+    warnings.add(
+        WarningKind::large_elements,
+        fmt::format(
+            "the elements are too large for this contact: the estimated discretisation error is {:.0f} %",
+            100 * error));
 }
 
 /// Undeformed distance and normals are those of surfaces that stay opposite each other.
@@ -53,12 +54,15 @@ void warn_of_slide(const ContactCase& asked, GridSolution& solved) {
   const auto included = [](const Body& body) { return body.structural == StructuralCompliance::included; };
   if (has_files(solved.model) && (included(asked.setup.rail) || included(asked.setup.wheel)) &&
       slide > half_row)
-    solved.warnings.push_back(fmt::format(
-        "the surfaces move past each other by up to {:.3f} mm along s, more than half a row ({:.3f} mm), and "
-        "the undeformed distance and the normals do not follow: {}",
-        slide, half_row,
-        asked.setup.wheel_rail() ? "solver.structural_motion = \"placed\" lets them follow a steady contact"
-                                 : "forces and approach may be some percent off"));
+    solved.warnings.add(
+        WarningKind::unseen_slide,
+        fmt::format("the surfaces move past each other by up to {:.3f} mm along s, more than half a row "
+                    "({:.3f} mm), and "
+                    "the undeformed distance and the normals do not follow: {}",
+                    slide, half_row,
+                    asked.setup.wheel_rail()
+                        ? "solver.structural_motion = \"placed\" lets them follow a steady contact"
+                        : "forces and approach may be some percent off"));
 }
 
 void add_stresses(const SceneFile& scene, SceneResult& out) {
@@ -68,11 +72,13 @@ void add_stresses(const SceneFile& scene, SceneResult& out) {
                                 out.motion.reference.s);
   const double turn = turn_of_contact(out.problem, out.result);
   if (const double error = predicted_halfspace_error(turn); error > scene.solver.model_tolerance)
-    out.warnings.push_back(fmt::format(
-        "the stresses below the surface are those of a half-space under these tractions: an "
-        "approximation here, for the normal turns by {:.1f} degrees within the patch, and they may "
-        "be off by up to {:.1f} %",
-        degrees(turn), 100 * error));
+    out.warnings.add(
+        WarningKind::rough_stresses,
+        fmt::format(
+            "the stresses below the surface are those of a half-space under these tractions: an "
+            "approximation here, for the normal turns by {:.1f} degrees within the patch, and they may "
+            "be off by up to {:.1f} %",
+            degrees(turn), 100 * error));
 }
 
 /// SceneResult::contact_radius: radius_at() is linear, so that its mean is that of the mean place.
@@ -137,7 +143,7 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   out.warnings = std::move(solved.warnings);
   out.seconds = solved.seconds;
   warn_of_model(out);
-  std::ranges::move(input_warnings(asked.scene, asked.setup), std::back_inserter(out.warnings));
+  out.warnings.add(input_warnings(asked.scene, asked.setup));
   out.bodies.rail_poisson = asked.setup.rail.material.poisson;
   out.motion.left = asked.scene.position.side == WheelSide::left;
   out.motion.reference = asked.setup.reference();
@@ -156,7 +162,7 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   out.bodies.rail_profile = std::move(bodies.rail);
   out.bodies.wheel_profile = std::move(bodies.wheel);
   warn_of_discretisation(out.result, out.warnings);
-  std::ranges::move(result_warnings(asked, out), std::back_inserter(out.warnings));
+  out.warnings.add(result_warnings(asked, out));
   add_stresses(asked.scene, out);
   return out;
 }

@@ -128,8 +128,9 @@ void solve_steps(const ContactSetup& setup, const SolverOptions& options, Contac
   setup.prescribe(steps[last], problem);
   for (int k = 0; k < last; ++k)
     if (!out.history[k].certified())
-      out.warnings.push_back(fmt::format("step {} of {} is not a solution ({})", k + 1, last + 1,
-                                         out.history[k].trust.solver_note));
+      out.warnings.add(WarningKind::uncertified_step,
+                       fmt::format("step {} of {} is not a solution ({})", k + 1, last + 1,
+                                   out.history[k].trust.solver_note));
 }
 
 /// Takes the pair's numbers from where a solution leaves them, puts the layer between the bodies, and gives
@@ -221,7 +222,7 @@ void solve_by_numbers(const ContactCase& asked, const SolveTask& task, const Sol
     if (const std::string other =
             resources.totals_only ? "" : second_solution(problem, out.result, options, resources.work);
         !other.empty())
-      out.warnings.push_back(other);
+      out.warnings.add(WarningKind::second_solution, other);
   } else {
     solve_steps(asked.setup, options, problem, out);
     asked.setup.prescribe(asked.setup.motion.steps.back(), out.contact.problem);

@@ -55,7 +55,7 @@ struct GridSolution {
   InfluenceNumbers numbers;           ///< of tangent planes: no store keeps them
   ContactResult result;               ///< of the last step
   std::vector<ContactResult> history; ///< transient and shift: of every step
-  std::vector<std::string> warnings;
+  Warnings warnings;
   PhaseSeconds seconds;
 };
 

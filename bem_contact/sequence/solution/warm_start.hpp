@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem_contact/contact/solve.hpp"
-#include "bem_contact/sequence/plan/contact_estimate.hpp"
+#include "bem_contact/sequence/plan/potential_area.hpp"
 
 #include <optional>
 #include <vector>

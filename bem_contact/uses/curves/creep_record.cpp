@@ -1,5 +1,7 @@
 #include "bem_contact/uses/curves/creep_record.hpp"
 
+#include "bem_contact/sequence/result_record.hpp"
+
 namespace bem_contact {
 
 namespace {
@@ -74,7 +76,7 @@ Record record_of(const CreepCurves& c) {
     curves.add(std::string(name_of(curve.which)), table_of(curve));
   const MeasuredCreepForces forces = forces_of(c.solution);
   const Creepages rigid = rigid_creepages(c.solution);
-  return {
+  Record out{
       {"model", record::Text{std::string(name_of(c.solution.choice.model))}},
       {"certified", certified(c)},
       {"Fz", Number{c.solution.result.totals.Fz, "N", "on the rail, down"}},
@@ -94,8 +96,8 @@ Record record_of(const CreepCurves& c) {
       {"kalker", matrix(c.linear ? &c.linear->slopes : nullptr,
                         "[Fx, Fs, Mz][xi, eta, phi] by linear theory for the nearest ellipse")},
       {"kalker_ellipse", ellipse_of(c.linear)},
-      {"warnings", record::Texts{c.solution.warnings, "one line for each"}},
       {"curves", std::move(curves)}};
+  return out.append(record_of(c.solution.warnings));
 }
 
 } // namespace bem_contact

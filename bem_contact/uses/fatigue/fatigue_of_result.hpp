@@ -126,6 +126,8 @@ std::span<const ColumnOf<CollectivePatch>> collective_columns();
 
 /// What fatigue says at every door: of one result, whose field "FI" it looks into, and of a collective.
 record::Record record_of(const Fatigue& fatigue, const ContactGrid& grid);
+/// A temporary is gone before its fields are looked at.
+record::Record record_of(const Fatigue&& fatigue, const ContactGrid& grid) = delete;
 record::Record record_of(const CollectiveFatigue& fatigue, const FatigueProperties& properties);
 
 } // namespace bem_contact::fatigue

@@ -81,8 +81,8 @@ SweepCase solve_case(Sequence& sequence, SweepScenes& scenes, std::size_t index,
       if (options.strict)
         refuse_warnings(result.warnings);
       SweepCase found = case_of(result, options);
-      for (const std::string& warning : result.warnings)
-        say(found, warning);
+      for (const Warning& warning : result.warnings)
+        say(found, warning.text);
       return found;
     };
     out = scene.wheelset.force ? kept(solve_wheelset(scene, options.stop, files))

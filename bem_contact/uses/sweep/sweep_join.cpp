@@ -30,8 +30,7 @@ public:
     const H5Table form = table_of(asked_.sweep, asked_.columns(), missing_cases({0, 1}));
     for (const auto& [name, data] : form.datasets) {
       names_.push_back(name);
-      writer_.add_line(name, name.starts_with(patch_group) ? patches : asked_.sweep.size(), data.unit,
-                       data.description);
+      writer_.add_line(name, name.starts_with(patch_group) ? patches : asked_.sweep.size(), data);
     }
   }
 

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/record/record.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,10 +57,26 @@ double number(const SchemaValue& value) {
   return std::get<bool>(value) ? 1.0 : 0.0;
 }
 
+bool has_texts(const SweepFile::Axis& axis) {
+  return std::holds_alternative<std::string>(axis.values.front());
+}
+
+/// The texts of an axis, as far as an attribute holds them.
+std::vector<std::string> choices_of(const SweepFile::Axis& axis) {
+  std::vector<std::string> out;
+  std::size_t size = 0;
+  for (const SchemaValue& value : axis.values) {
+    out.push_back(std::get<std::string>(value));
+    size += out.back().size() + 1;
+    if (size > longest_list)
+      return {};
+  }
+  return out;
+}
+
 /// "which of S1002 worn.txt"
 std::string description_of(const SweepFile::Axis& axis) {
-  const bool texts = std::holds_alternative<std::string>(axis.values.front());
-  if (!texts)
+  if (!has_texts(axis))
     return axis.is_note() ? "carried along" : "swept over";
   std::string out = axis.is_note() ? "carried along, which of" : "which of";
   for (const SchemaValue& value : axis.values) {
@@ -70,18 +87,33 @@ std::string description_of(const SweepFile::Axis& axis) {
   return out;
 }
 
+/// An axis without its values.
+H5Dataset form_of(const SweepFile::Axis& axis) {
+  return {.unit = unit_of_key(axis.key),
+          .description = description_of(axis),
+          .role = std::string(name_of(axis.is_note() ? record::Role::carried : record::Role::swept)),
+          .choices = has_texts(axis) ? choices_of(axis) : std::vector<std::string>()};
+}
+
+/// Of cases, in the order of the numbers in files.
+std::vector<std::string> outcome_names() {
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < record::outcomes_of_cases; ++i)
+    out.emplace_back(name_of(static_cast<record::Outcome>(i)));
+  return out;
+}
+
 void add_axes(H5Table& table, const std::string& group, const SweepFile& sweep,
               std::span<const std::size_t> cases) {
   for (std::size_t a = 0; a < sweep.axes.size(); ++a) {
     const SweepFile::Axis& axis = sweep.axes[a];
-    const bool text = std::holds_alternative<std::string>(axis.values.front());
-    std::vector<double> values;
+    const bool text = has_texts(axis);
+    H5Dataset& line = table.datasets[group + axis.key] = form_of(axis);
+    line.shape = {cases.size()};
     for (const std::size_t i : cases) {
       const std::size_t at = sweep.indices(i)[a];
-      values.push_back(text ? static_cast<double>(at) : number(axis.values[at]));
+      line.values.push_back(text ? static_cast<double>(at) : number(axis.values[at]));
     }
-    table.datasets[group + axis.key] =
-        H5Dataset::line(std::move(values), unit_of_key(axis.key), description_of(axis));
   }
 }
 
@@ -111,6 +143,8 @@ H5Table table_of(const SweepFile& sweep, const SweepColumns& columns, std::span<
   std::ranges::transform(cases, numbers_of_cases.begin(), &SweepCase::index);
   add_axes(table, "", sweep, numbers_of_cases);
   line("status", "1", status_description, [](const SweepCase& r) { return static_cast<double>(r.status); });
+  table.datasets["status"].role = name_of(record::Role::outcome);
+  table.datasets["status"].choices = outcome_names();
   line("seconds", "s", seconds_description, std::mem_fn(&SweepCase::seconds));
   line("cpu_seconds", "s", cpu_description, std::mem_fn(&SweepCase::cpu_seconds));
   SweepNumbers numbers = numbers_of(cases, columns);

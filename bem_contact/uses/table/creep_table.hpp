@@ -28,7 +28,7 @@ namespace bem_contact::table {
 /// eta and phi together turn those of Fy and Mz alone.
 struct CreepTableOptions {
   double poisson = 0.28;     ///< of both bodies
-  double from = 0.5, to = 2; ///< a/b; within .1 to 10, where the coefficients are known
+  double from = 0.5, to = 2; ///< a/b; within 0.1 to 10, where the coefficients are known
   int elements = 16;         ///< across each axis of the ellipse
   double tolerance = 0.02;   ///< relative, of the slopes at zero by interpolation
 };

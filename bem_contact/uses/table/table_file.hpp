@@ -20,6 +20,8 @@ namespace bem_contact::table {
 /// and axis_names (in the order of the values' dimensions), column_names, held, interpolation, tolerance,
 /// points, solved, checked; of a creep table poisson, spin and symmetry. It looks into the table.
 record::Record record_of(const ContactTable& table);
+/// A temporary is gone before its fields are looked at.
+record::Record record_of(const ContactTable&& table) = delete;
 
 /// Writes it as HDF5, after `head`, which begins with the format (record/file_kinds.hpp).
 void write_table(const std::filesystem::path& file, const record::Record& head, const ContactTable& table);

@@ -161,12 +161,12 @@ record::Record record_of(const WheelsetResult& r, const RecordParts& parts) {
     return record::Record{{"track", record::numbers_of(wheel_quantities(), false, r.state, side)},
                           {"result", record_of(r.state.solved(side), parts)}};
   };
-  return {{"certified", certified(r.state)},
-          {"warnings", record::Texts{r.warnings, "one line for each"}},
-          {"wheelset", record::numbers_of(wheelset_quantities(), false, r)},
-          {"right", wheel(WheelSide::right)},
-          {"left", wheel(WheelSide::left)},
-          {"seconds", record::Number{r.seconds, "s", "wall clock"}}};
+  record::Record out{{"certified", certified(r.state)}};
+  out.append(record_of(r.warnings));
+  return out.append({{"wheelset", record::numbers_of(wheelset_quantities(), false, r)},
+                     {"right", wheel(WheelSide::right)},
+                     {"left", wheel(WheelSide::left)},
+                     {"seconds", record::Number{r.seconds, "s", "wall clock"}}});
 }
 
 } // namespace bem_contact

@@ -27,18 +27,18 @@ struct WheelsetResult {
   /// By how much the lateral displacement that was found may be off, because forces are off by their stated
   /// errors, mm; where these are not known, by what larger elements change. nan: the displacement is given.
   double lateral_error = std::numeric_limits<double>::quiet_NaN();
-  int contact_problems = 0;               ///< solved on the way, both wheels
-  std::vector<std::string> warnings = {}; ///< of both wheels
-  double seconds = 0;                     ///< of the call
+  int contact_problems = 0; ///< solved on the way, both wheels
+  Warnings warnings = {};   ///< of both wheels
+  double seconds = 0;       ///< of the call
 };
 
 /// Both wheels where the search for the equilibrium begins: at position.lateral, each with the approach of
 /// about half of the vertical force.
 struct WheelsetDescription {
-  double lateral = 0, roll = 0;           ///< mm; rad
-  SceneDescription right;                 ///< the wheel to the right of the rolling direction, as asked
-  SceneDescription left;                  ///< the other one, y and s to the left
-  std::vector<std::string> warnings = {}; ///< of the wheelset, beside those of either wheel
+  double lateral = 0, roll = 0; ///< mm; rad
+  SceneDescription right;       ///< the wheel to the right of the rolling direction, as asked
+  SceneDescription left;        ///< the other one, y and s to the left
+  Warnings warnings = {};       ///< of the wheelset, beside those of either wheel
 };
 /// Solves no equilibrium. Throws what solve_wheelset() would throw before it solves.
 WheelsetDescription check_wheelset(const SceneFile& scene);

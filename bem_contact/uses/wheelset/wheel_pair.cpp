@@ -140,8 +140,10 @@ WheelsetState WheelPair::at(const WheelsetPose& pose) {
                     .left_wheel_radius = radius + larger(WheelSide::left),
                     .right = right_.solve(wheel_scene(WheelSide::right, pose), stop_),
                     .left = left_.solve(wheel_scene(WheelSide::left, pose), stop_)};
-  tell_choice(right_choice_, out.right);
-  tell_choice(left_choice_, out.left);
+  if (right_choice_)
+    take_choice(*right_choice_, out.right);
+  if (left_choice_)
+    take_choice(*left_choice_, out.left);
   const double height = pose.vertical - radius;
   std::optional<Roller> roller;
   if (scene_.position.roller_radius > 0)
@@ -180,16 +182,8 @@ void WheelPair::keep_models(const WheelsetState& s) {
   left_scene_ = with_model(std::move(left_scene_), s.left.choice.model);
   if (scene_.solver.model)
     return;
-  right_choice_ = {s.right.choice.why_this_model, s.right.choice.enough};
-  left_choice_ = {s.left.choice.why_this_model, s.left.choice.enough};
-}
-
-void WheelPair::tell_choice(const std::optional<Choice>& choice, SceneResult& out) const {
-  if (!choice)
-    return;
-  out.choice.why_this_model = choice->why_this_model;
-  out.choice.enough = choice->enough;
-  warn_of_model(out);
+  right_choice_ = s.right.choice;
+  left_choice_ = s.left.choice;
 }
 
 void WheelPair::free_elements() {

@@ -113,17 +113,11 @@ private:
   }
   SceneFile wheel_scene(WheelSide side, const WheelsetPose& pose) const;
 
-  /// Why a model was chosen.
-  struct Choice {
-    std::string why_this_model;
-    bool enough = true; ///< SceneResult::model_enough
-  };
   void keep_models(const WheelsetState& s);
-  void tell_choice(const std::optional<Choice>& choice, SceneResult& out) const;
 
   SceneFile scene_;
-  SceneFile right_scene_, left_scene_;               ///< perhaps with elements and model fixed
-  std::optional<Choice> right_choice_, left_choice_; ///< where the scene left it open and it is fixed
+  SceneFile right_scene_, left_scene_;                    ///< perhaps with elements and model fixed
+  std::optional<ModelChoice> right_choice_, left_choice_; ///< where the scene left it open and it is fixed
   const std::atomic<bool>* stop_;
   std::shared_ptr<SequenceFiles> files_;
   Sequence right_, left_;

@@ -114,7 +114,7 @@ TEST(StandardPairs, HaveTheConicityOfABruteForceSearch) {
 }
 
 /// EN 15302's wheels on its rail A: the wheels of the tables, and conicities as printed in public sources
-/// (A, B). Gauge of the reference: 1435.16 mm. At 3 mm wheel B stands on a jump of the contact, where .1 mm
+/// (A, B). Gauge of the reference: 1435.16 mm. At 3 mm wheel B stands on a jump of the contact, where 0.1 mm
 /// of displacement decide: the printed value lies between those of 2.9 and 3.1 mm.
 TEST(ReferenceWheels, AAndBOfTheTablesHaveThePrintedConicity) {
   const TabulatedProfile rail = standard_profile("EN15302-rail-A");

@@ -70,7 +70,7 @@ TEST(CreepCurves, TheEllipseIsHertzs) {
   const double a = std::cbrt(3 * 4000 / (8 * 82000 / 0.72 * 1e-3));
   EXPECT_NEAR(c.linear->semi_axis_x, a, 1e-6 * a);
   EXPECT_NEAR(c.linear->semi_axis_s, a, 1e-6 * a);
-  EXPECT_NEAR(c.linear->coefficients.c11, 4.22, 0.05); // the no-slip limit for nu = .28
+  EXPECT_NEAR(c.linear->coefficients.c11, 4.22, 0.05); // the no-slip limit for nu = 0.28
   EXPECT_NEAR(c.bound, 0.3 * 4000, 1e-3);
   const CreepCurves flat = curves(hertz(20, 2e-3));
   EXPECT_NEAR(flat.linear->tilt, 0, 1e-6);

@@ -108,7 +108,7 @@ ContactTable nested_plane() {
   return t;
 }
 
-/// Points and weights by hand: the lines at x = 0, .5 and 1 have one, two and three points.
+/// Points and weights by hand: the lines at x = 0, 0.5 and 1 have one, two and three points.
 TEST(NestedAxes, EachPointHasItsOwnLine) {
   ContactTable t = plane();
   t.axes[1] = {"y", "N", "", {0, 2, 4, 2, 3, 4}, {0, 1, 3, 6}};

@@ -34,8 +34,9 @@ TEST(WheelsetScene, AWarningOfTheAxleBelongsToTheWheelset) {
   const WheelsetDescription found = check_wheelset(
       parse_scene_file("rail.profile = '60E1'\nwheel.profile = 'S1002'\nposition.rail_inclination = 0.025\n"
                        "motion.friction = 0.3\nwheelset.force = 200\n"));
-  EXPECT_THAT(found.warnings, testing::ElementsAre(testing::HasSubstr("wheelset.force looks like kN")));
-  EXPECT_THAT(found.right.warnings, testing::ElementsAreArray(found.left.warnings));
+  EXPECT_THAT(found.warnings.texts(),
+              testing::ElementsAre(testing::HasSubstr("wheelset.force looks like kN")));
+  EXPECT_THAT(found.right.warnings.texts(), testing::ElementsAreArray(found.left.warnings.texts()));
 }
 
 TEST(WheelsetScene, IsNoSceneOfOneWheelAndBack) {

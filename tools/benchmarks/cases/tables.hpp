@@ -10,7 +10,7 @@ namespace cases {
 /// What each means of a sequence saves: a row without each.
 void ablation(const bem_contact::SweepFile& sweep, const bem_contact::SweepFile& by);
 
-/// A CSV line a case and accuracy, 10 to .5 %; for half-space numbers also .2 and .1 %, for which the
+/// A CSV line a case and accuracy, 10 to 0.5 %; for half-space numbers also 0.2 and 0.1 %, for which the
 /// references have elements an eighth as large and of many cases every fourth is solved.
 void accuracy(const bem_contact::SweepFile& sweep, const bem_contact::SweepFile& by);
 

@@ -7,8 +7,12 @@ from . import style
 from .kinds import require_columns, text
 from .refusals import refuse
 
-STATUS_CERTIFIED = 1
 MARKS = ("o", "s", "D", "^", "v", "x", "+", "*")
+
+
+def choices(data):
+    """What its values count, from 0; None of numbers."""
+    return text(data.attrs["choices"]).splitlines() if "choices" in data.attrs else None
 
 
 def swept_keys(file):
@@ -17,9 +21,8 @@ def swept_keys(file):
     for name, data in file.items():
         if not isinstance(data, h5py.Dataset) or data.shape == () or data.dtype.kind not in "fiu":
             continue
-        what = text(data.attrs.get("description", ""))
-        if what.startswith(("swept over", "which of")) and len(np.unique(data[:])) > 1:
-            keys[name] = what.split('"')[1::2] if what.startswith("which of") else None
+        if text(data.attrs.get("role", "")) == "swept" and len(np.unique(data[:])) > 1:
+            keys[name] = choices(data)
     return keys
 
 
@@ -95,7 +98,10 @@ def draw(files):
         require_columns(file)
         if "patches" in file:
             require_columns(file["patches"])
-        certified = file["status"][:] == STATUS_CERTIFIED
+        outcomes = choices(file["status"]) or []
+        if "certified" not in outcomes:
+            refuse(f"'{files[0]}' cannot be drawn", "its status says no outcomes (attribute choices)", "Copy the file again from where it was whole.")
+        certified = file["status"][:] == outcomes.index("certified")
         if not certified.any():
             refuse(f"'{files[0]}' cannot be drawn", "no case of the sweep is certified", "See the column status of its --csv.")
         keys = swept_keys(file)

@@ -1,0 +1,66 @@
+#include "bem_contact/base/message_file.hpp"
+
+#include "bem_contact/base/enum_names.hpp"
+#include "bem_contact/base/printable.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <fstream>
+
+template <> struct bem_contact::EnumNames<bem_contact::Told> {
+  static constexpr std::array<std::string_view, 3> names{"error", "warning", "progress"};
+};
+
+namespace bem_contact {
+
+namespace {
+
+/// 0 where the text has not this form.
+double share_of(std::string_view text) {
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  double done = 0, all = 0;
+  std::from_chars(text.data(), text.data() + slash, done);
+  if (slash < text.size())
+    std::from_chars(text.data() + slash + 1, text.data() + text.size(), all);
+  return all > 0 ? std::clamp(done / all, 0.0, 1.0) : 0;
+}
+
+} // namespace
+
+void tell(Told kind, std::string_view text) {
+  const char* file = std::getenv(message_file_variable);
+  if (!file || !*file)
+    return;
+  std::string line = fmt::format("{}\t{}", name_of(kind), text);
+  std::ranges::replace(line, '\n', ' ');
+  std::ofstream(file, std::ios::app) << line + "\n"; // in one piece: others may write to it
+}
+
+void tell_progress(std::size_t done, std::size_t all) {
+  tell(Told::progress, fmt::format("{}/{}", done, all));
+}
+
+void say_error(std::string_view text) {
+  print_error("error: {}\n", text);
+  tell(Told::error, text);
+}
+
+std::vector<ToldMessage> MessageFile::next() {
+  std::vector<ToldMessage> out;
+  std::ifstream in(file_, std::ios::binary);
+  in.seekg(static_cast<std::streamoff>(read_));
+  for (std::string line; std::getline(in, line) && !in.eof();) { // a line without its end is still written
+    read_ += line.size() + 1;
+    const std::size_t tab = line.find('\t');
+    const auto kind = value_named<Told>(std::string_view(line).substr(0, tab));
+    if (!kind || tab == std::string::npos)
+      continue;
+    const std::string text = line.substr(tab + 1);
+    out.push_back({*kind, text, *kind == Told::progress ? share_of(text) : 0});
+  }
+  return out;
+}
+
+} // namespace bem_contact
