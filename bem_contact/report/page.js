@@ -247,9 +247,9 @@ const begin = async () => {
   document.title = `${report.file}: bem_contact report`;
   const title = TITLE_OF[report.kind], answer = report.kind === "study" ? STUDY : ANSWERS[report.kind];
   add("h1", `${title}: ${report.file}`);
-  addFirst(
-      foundIn(whole), report.kind === "study" ? studyWarnings() : warningsFound(answer.warnings?.() ?? []).map(one => one.text),
-      answer.picture());
+  const ownWarnings = () => warningsFound(answer.warnings?.() ?? []).map(one => one.text);
+  const warned = report.kind === "study" ? studyWarnings() : ownWarnings();
+  addFirst(foundIn(whole), warned, answer.picture());
   if (report.kind === "profile")
     add("pre", data.attributes.words, page, {id: "words"});
   if (report.kind === "study")

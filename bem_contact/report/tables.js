@@ -16,8 +16,10 @@ const addTable = (caption, head, lines, {parent = into, numbers, id = "", wide =
 
 /// [{text, kind}] of a contact, the most important first. Two of one kind about the same key say the same.
 const warningsOf = ({group}) => {
-  const [texts, kinds, about] = ["warnings", "warning_kinds", "warning_about"].map(name => (group[name]?.text ?? "").split("\n"));
-  return texts.map((text, k) => ({text, kind: kinds[k] ? `${kinds[k]} ${about[k] ?? ""}` : text})).filter(({text}) => text);
+  const lines = name => (group[name]?.text ?? "").split("\n");
+  const kinds = lines("warning_kinds"), about = lines("warning_about");
+  return lines("warnings").map((text, k) => ({text, kind: kinds[k] ? `${kinds[k]} ${about[k] ?? ""}` : text}))
+    .filter(({text}) => text);
 };
 
 const worstOf = ({group}) => valueOf(group.quantities, "certificate").toExponential(1);
