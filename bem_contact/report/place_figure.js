@@ -62,24 +62,15 @@ const placeWindow = contact => {
   return {y: [Math.min(...y) - AROUND, Math.max(...y) + AROUND], z: [top + BELOW_RAIL, top - ABOVE_RAIL]};
 };
 
-/// "2630 ± 32 MPa" at the largest pressure.
+/// "2630 ± 32 MPa" at the largest pressure, towards the middle of the rail: beside it are the axis and the other wheel.
 const placeNote = (contact, axes) => {
-  const [row] = peak(contact), side = contact.left ? -1 : 1,
-        {y: {[row]: y}, z: {[row]: z}, delta: {[row]: delta}} = contact;
-  return {
-    xref: `x${axes}`,
-    yref: `y${axes}`,
-    x: side * (y + LONGEST_PRESSURE * Math.sin(delta)),
-    y: z - LONGEST_PRESSURE * Math.cos(delta),
-    text: `${valueText(contact.group.quantities, "pmax")} MPa`,
-    showarrow: true,
-    arrowhead: 0,
-    arrowcolor: INK,
-    ax: 0,
-    ay: -28,
-    bgcolor: "rgba(255,255,255,0.8)",
-    font: {color: INK, size: 13}
-  };
+  const [row] = peak(contact), side = contact.left ? -1 : 1;
+  const {y: {[row]: y}, z: {[row]: z}, delta: {[row]: delta}} = contact, window = placeWindow(contact).y;
+  const x = side * (y + LONGEST_PRESSURE * Math.sin(delta)), isLeft = x < (window[0] + window[1]) / 2;
+  return {xref: `x${axes}`, yref: `y${axes}`, x, y: z - LONGEST_PRESSURE * Math.cos(delta),
+          text: `${valueText(contact.group.quantities, "pmax")} MPa`, showarrow: true, arrowhead: 0, arrowcolor: INK,
+          ax: isLeft ? 12 : -12, ay: -20, xanchor: isLeft ? "left" : "right",
+          bgcolor: "rgba(255,255,255,0.8)", font: {color: INK, size: 13}};
 };
 
 /// Both wheels on both rails, or the one that there is. Undefined where no contact has bodies.
