@@ -89,7 +89,7 @@ const placeFigure = contacts => {
           gap = shown.length > 1 ? 0.03 : 0;
     layout[`xaxis${axes}`] = {
       title: shown.length > 1 ? `${contact.left ? "left" : "right"} wheel: y, mm` : sideways(contact),
-      range: window.y,
+      range: window.y, nticks: shown.length > 1 ? 4 : 6,
       domain: [k * half + k * gap, (k + 1) * half - (1 - k) * gap],
       constrain: "domain",
       anchor: `y${axes}`
