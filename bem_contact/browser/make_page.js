@@ -13,8 +13,15 @@ require(path.resolve(solver))({wasmBinary: fs.readFileSync(wasm)}).then(it => {
   const data = '<script type="application/json" id="data">';
   const parts = Object.entries({solver: packed(script), wasm: packed(fs.readFileSync(wasm))});
   fs.mkdirSync(folder, {recursive: true});
-  fs.writeFileSync(path.join(folder, "index.html"), page.replace("@LIBRARY_OF_THE_PAGE@", () => fs.readFileSync(library, "utf8"))
-    .replace(data, () => parts.map(([id, text]) => `<script type="text/plain" id="${id}">${text}</script>\n`).join("") + data));
-  const files = influence.map(file => [`/data/influence/${path.basename(file)}`, fs.readFileSync(file).toString("base64")]);
-  fs.writeFileSync(path.join(folder, "influence.js"), `globalThis.INFLUENCE = ${JSON.stringify(Object.fromEntries(files))};\n`);
+  fs.writeFileSync(
+      path.join(folder, "index.html"),
+      page.replace("@LIBRARY_OF_THE_PAGE@", () => fs.readFileSync(library, "utf8"))
+          .replace(
+              data,
+              () => parts.map(([id, text]) => `<script type="text/plain" id="${id}">${text}</script>\n`).join("") +
+                  data));
+  const files =
+      influence.map(file => [`/data/influence/${path.basename(file)}`, fs.readFileSync(file).toString("base64")]);
+  fs.writeFileSync(
+      path.join(folder, "influence.js"), `globalThis.INFLUENCE = ${JSON.stringify(Object.fromEntries(files))};\n`);
 });

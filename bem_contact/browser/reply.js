@@ -1,7 +1,10 @@
 // A solver inside the page answers, in a worker. explore/reply.js stands here where the program does.
-const NOTE = "This page solves by itself, in your browser: nothing is sent to anyone. It writes no HDF5. What needs such files, or " +
-  "minutes, is done by the program: results (bem_contact solve SCENE.toml -o R.h5), finite elements of other bodies (explore SCENE.toml, where the scene " +
-  "names their influence files), tables of forces (table), sweeps on all cores (sweep), creep curves (creep-curves), wear, fatigue, both wheels (wheelset).";
+const NOTE =
+    "This page solves by itself, in your browser: nothing is sent to anyone. It writes no HDF5. What needs such " +
+    "files, or minutes, is done by the program: results (bem_contact solve SCENE.toml -o R.h5), finite elements of " +
+    "other bodies (explore SCENE.toml, where the scene " +
+    "names their influence files), tables of forces (table), sweeps on all cores (sweep), creep curves " +
+    "(creep-curves), wear, fatigue, both wheels (wheelset).";
 const SILENT = "The solver of this page does not answer (the browser has ended it) Load the page again.";
 
 /// The worker, once it has its solver.
@@ -12,14 +15,15 @@ const solver = (async () => {
   return worker;
 })();
 
-/// The influence files lie beside the page in a script, which is loaded when a model that may need them is first asked for. Without it the
-/// solver says what is missing.
+/// The influence files lie beside the page in a script, which is loaded when a model that may need them is first asked
+/// for. Without it the solver says what is missing.
 const WITHOUT_FILES = ["hertz", "simplified", "halfspace", "tangent_plane"];
 const needsFiles = ({text, changes}) => /influence/.test(text) &&
   !WITHOUT_FILES.includes(changes?.["solver.model"] ?? /^\s*(?:solver\.)?model\s*=\s*"(\w+)"/m.exec(text)?.[1]);
 let files;
-const loadFiles = () => files ??= new Promise(done => add("script", "", document.head, {src: "influence.js", onload: done, onerror: done}))
-  .then(async () => (await solver).postMessage({files: globalThis.INFLUENCE ?? {}}));
+const loadFiles = () => files ??=
+    new Promise(done => add("script", "", document.head, {src: "influence.js", onload: done, onerror: done}))
+        .then(async () => (await solver).postMessage({files: globalThis.INFLUENCE ?? {}}));
 
 // One question is with the worker. Of those that wait, a newer one of the same window replaces the one before.
 const queue = [];
@@ -34,19 +38,22 @@ const askNext = async () => {
   worker.postMessage({what, question: JSON.stringify(question)});
 };
 
-/// What is answered to a question, as a Response; throws where nobody answers. `what`: a name of all_asked (answers.hpp).
+/// What is answered to a question, as a Response; throws where nobody answers. `what`: a name of all_asked
+/// (answers.hpp).
 const replyTo = async (what, question) => {
   if (needsFiles(question))
     await loadFiles();
   const response = await new Promise((done, failed) => {
     const before = queue.findIndex(one => one.question.window === question.window);
     if (before >= 0)
-      queue.splice(before, 1)[0].done(Response.json({problem: {kind: "replaced", message: "A newer question has replaced this one."}}));
+      queue.splice(before, 1)[0].done(
+          Response.json({problem: {kind: "replaced", message: "A newer question has replaced this one."}}));
     queue.push({what, question, done, failed});
     askNext();
   });
   if (what !== "report" || !response.headers.get("Content-Type").startsWith("text/html"))
     return response;
-  return new Response((await response.text()).replace("@LIBRARY_OF_THE_PAGE@", element("library").textContent), response);
+  return new Response(
+      (await response.text()).replace("@LIBRARY_OF_THE_PAGE@", element("library").textContent), response);
 };
 

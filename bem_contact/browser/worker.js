@@ -1,4 +1,5 @@
-// In the worker, behind what emscripten makes: the first message brings the solver, another one its influence files, all others questions.
+// In the worker, behind what emscripten makes: the first message brings the solver, another one its influence files,
+// all others questions.
 let solver;
 
 const answerTo = (it, what, question) => {

@@ -1,4 +1,5 @@
-// Influence functions of the bodies on the screen. The program computes them beside everything else; a page without it names the commands.
+// Influence functions of the bodies on the screen. The program computes them beside everything else; a page without it
+// names the commands.
 const LOOK_AGAIN = 300; // ms between two looks at how far they are
 const OURS = /^((?:rail|wheel)_[0-9a-f]{8})\.h5$/; // influence files that were computed here
 
@@ -11,21 +12,27 @@ const jsonOf = async (what, scene, lane) => {
   return reply;
 };
 
-const commandsOfBodies = names => names.flatMap(name => [`mesh_body ${name}.toml -o ${name}.msh`, `fem_influence ${name}.toml ${name}.msh -o ${name}.h5`]);
+const commandsOfBodies = names => names.flatMap(
+    name => [`mesh_body ${name}.toml -o ${name}.msh`, `fem_influence ${name}.toml ${name}.msh -o ${name}.h5`]);
 
 /// Bodies whose influence files the scene on the screen names.
-const namedBodies = () => ["rail", "wheel"].map(side => OURS.exec(sceneValue(`${side}.influence`))?.[1]).filter(Boolean);
+const namedBodies =
+    () => ["rail", "wheel"].map(side => OURS.exec(sceneValue(`${side}.influence`))?.[1]).filter(Boolean);
 const bodyCommands = () => commandsOfBodies(namedBodies());
 
 /// The panel: a button that computes, one that saves the body files, and the commands that do the same.
 const addBodiesPanel = parent => {
   add("h2", "Finite elements", parent);
-  add("p", "The model fem needs influence functions of both bodies where they touch. They are computed for the contact on the screen, coarsely, in " +
-      "a minute or so. If a slider moves the contact beyond their strips, compute them again.", parent, {className: "caption"});
+  add("p",
+      "The model fem needs influence functions of both bodies where they touch. They are computed for the contact on " +
+          "the screen, coarsely, in " +
+          "a minute or so. If a slider moves the contact beyond their strips, compute them again.",
+      parent, {className: "caption"});
   const row = add("div", "", parent, {className: "row"});
   const run = add("button", "Compute influence functions", row, {type: "button", id: "compute"});
   const save = add("button", "Bodies (TOML)", row, {type: "button", id: "save-bodies"});
-  const bar = add("progress", "", row, {id: "compute-bar", max: 1, hidden: true}), note = add("span", "", row, {id: "compute-note"});
+  const bar = add("progress", "", row, {id: "compute-bar", max: 1, hidden: true}),
+        note = add("span", "", row, {id: "compute-note"});
   note.setAttribute("role", "status");
   const commands = add("pre", "", parent, {id: "body-commands", hidden: true});
   let running = false;
@@ -35,8 +42,13 @@ const addBodiesPanel = parent => {
     run.textContent = running ? "Cancel" : "Compute influence functions";
     run.disabled = Boolean(state.missing);
     Object.assign(bar, {hidden: !running, value: state.share});
-    note.textContent = state.missing || {running: `${state.what}, ${Math.floor(10 * state.share)} tenths done`, failed: state.what,
-      done: "The influence functions are there.", cancelled: "Cancelled."}[state.stage] || "";
+    note.textContent = state.missing || {
+      running: `${state.what}, ${Math.floor(10 * state.share)} tenths done`,
+      failed: state.what,
+      done: "The influence functions are there.",
+      cancelled: "Cancelled."
+    }[state.stage] ||
+        "";
   };
   const follow = async () => {
     for (;;) {

@@ -1,20 +1,32 @@
 // What can be moved: sliders and fields, each for a key of scenes. `scale`: what 1 in the field is in the key's unit,
 // which is `keyUnit`. `of`: whether it is asked of one wheel or of a wheelset; else of both.
 const CONTROLS = [
-  {key: "position.lateral", title: "lateral, to the right", unit: "mm", from: -8, to: 8, step: 0.02, kind: "wheel_rail"},
-  {key: "position.yaw", title: "yaw, front to the right", unit: "mrad", keyUnit: "rad", scale: 1e-3, from: -20, to: 20, step: 0.1, kind: "wheel_rail"},
-  {key: "position.roll", title: "roll, right side down", unit: "mrad", keyUnit: "rad", scale: 1e-3, from: -10, to: 10, step: 0.05, kind: "wheel_rail", of: "wheel"},
-  {key: "track.curve_radius", title: "curve, centre to the right", unit: "m", keyUnit: "mm", scale: 1e3, inverse: {from: -10, to: 10, step: 0.1, unit: "1/km"},
+  {key: "position.lateral", title: "lateral, to the right", unit: "mm", from: -8, to: 8, step: 0.02,
    kind: "wheel_rail"},
-  {key: "motion.speed", title: "speed", unit: "km/h", keyUnit: "mm/s", scale: 1e6 / 3600, from: 0, to: 250, step: 1, kind: "wheel_rail"},
-  {key: "load.force", title: "vertical force", unit: "kN", keyUnit: "N", scale: 1e3, from: 5, to: 200, step: 0.5, fits: true, of: "wheel"},
-  {key: "wheelset.force", title: "vertical force on the axle", unit: "kN", keyUnit: "N", scale: 1e3, from: 10, to: 400, step: 1, fits: true, of: "wheelset"},
-  {key: "wheelset.force_y", title: "lateral force on the axle", unit: "kN", keyUnit: "N", scale: 1e3, from: -60, to: 60, step: 0.5, of: "wheelset", given: true},
+  {key: "position.yaw", title: "yaw, front to the right", unit: "mrad", keyUnit: "rad",
+   scale: 1e-3, from: -20, to: 20, step: 0.1, kind: "wheel_rail"},
+  {key: "position.roll", title: "roll, right side down", unit: "mrad", keyUnit: "rad",
+   scale: 1e-3, from: -10, to: 10, step: 0.05, kind: "wheel_rail", of: "wheel"},
+  {key: "track.curve_radius", title: "curve, centre to the right", unit: "m", keyUnit: "mm", scale: 1e3,
+   inverse: {from: -10, to: 10, step: 0.1, unit: "1/km"},
+   kind: "wheel_rail"},
+  {key: "motion.speed", title: "speed", unit: "km/h", keyUnit: "mm/s",
+   scale: 1e6 / 3600, from: 0, to: 250, step: 1, kind: "wheel_rail"},
+  {key: "load.force", title: "vertical force", unit: "kN", keyUnit: "N",
+   scale: 1e3, from: 5, to: 200, step: 0.5, fits: true, of: "wheel"},
+  {key: "wheelset.force", title: "vertical force on the axle", unit: "kN", keyUnit: "N",
+   scale: 1e3, from: 10, to: 400, step: 1, fits: true, of: "wheelset"},
+  {key: "wheelset.force_y", title: "lateral force on the axle", unit: "kN", keyUnit: "N",
+   scale: 1e3, from: -60, to: 60, step: 0.5, of: "wheelset", given: true},
   {key: "motion.friction", title: "coefficient of friction", unit: "", from: 0.01, to: 0.6, step: 0.005},
-  {key: "motion.xi", title: "longitudinal creepage", unit: "‰", scale: 1e-3, from: -10, to: 10, step: 0.02, of: "wheel"},
-  {key: "motion.eta", title: "lateral creepage", unit: "‰", scale: 1e-3, from: -10, to: 10, step: 0.02, of: "wheel"},
-  {key: "motion.phi", title: "spin", unit: "1/m", keyUnit: "1/mm", scale: 1e-3, from: -2, to: 2, step: 0.01, of: "wheel"},
-  {key: "layer.compliance", title: "compliance of a layer", unit: "mm³/kN", keyUnit: "mm^3/N", scale: 1e-3, from: 0, to: 0.4, step: 0.002}];
+  {key: "motion.xi", title: "longitudinal creepage", unit: "‰",
+   scale: 1e-3, from: -10, to: 10, step: 0.02, of: "wheel"},
+  {key: "motion.eta", title: "lateral creepage", unit: "‰",
+   scale: 1e-3, from: -10, to: 10, step: 0.02, of: "wheel"},
+  {key: "motion.phi", title: "spin", unit: "1/m", keyUnit: "1/mm",
+   scale: 1e-3, from: -2, to: 2, step: 0.01, of: "wheel"},
+  {key: "layer.compliance", title: "compliance of a layer", unit: "mm³/kN", keyUnit: "mm^3/N",
+   scale: 1e-3, from: 0, to: 0.4, step: 0.002}];
 
 /// Numbers in a field's unit as the key's values, and back, without digits of rounding.
 const exact = value => Number(value.toPrecision(12));
@@ -25,11 +37,17 @@ const toField = (control, value) => exact(value / (control.scale ?? 1));
 const inFieldUnits = message => {
   const numeral = "-?[0-9]+(?:\\.[0-9]*)?(?:e[-+]?[0-9]+)?";
   for (const control of CONTROLS.filter(one => one.scale && message.includes(one.key))) {
-    const shown = text => `${Number(toField(control, Number(text)).toPrecision(6))} ${control.unit}`, quoted = text => text.replace(/[.^/]/g, "\\$&");
+    const shown = text => `${Number(toField(control, Number(text)).toPrecision(6))} ${control.unit}`,
+          quoted = text => text.replace(/[.^/]/g, "\\$&");
     const unit = control.keyUnit ? `(?: ${quoted(control.keyUnit)}(?![\\w/^]))` : "(?!)";
-    message = message.replace(new RegExp(`(${quoted(control.key)} = )(${numeral})${unit}?`, "g"), (_, before, value) => before + shown(value))
-      .replace(new RegExp(`([<>]=? )(${numeral})${unit}?(?! ?${quoted(control.unit)})`, "g"), (_, before, value) => before + shown(value))
-      .replace(new RegExp(`(^|[ (])(${numeral})${unit}`, "g"), (_, before, value) => before + shown(value));
+    message = message
+                  .replace(
+                      new RegExp(`(${quoted(control.key)} = )(${numeral})${unit}?`, "g"),
+                      (_, before, value) => before + shown(value))
+                  .replace(
+                      new RegExp(`([<>]=? )(${numeral})${unit}?(?! ?${quoted(control.unit)})`, "g"),
+                      (_, before, value) => before + shown(value))
+                  .replace(new RegExp(`(^|[ (])(${numeral})${unit}`, "g"), (_, before, value) => before + shown(value));
   }
   return message;
 };
@@ -77,14 +95,17 @@ const unstretch = ({slider, inverse, ...own}) => {
 const showControl = (control, kind) => {
   const text = sceneValue(control.key), given = text !== "" && Number.isFinite(Number(text));
   const of = data.wheels ? "wheelset" : "wheel"; // an axle has some keys that one wheel has not
-  control.row.hidden = (control.kind ?? kind) !== kind || (control.of ?? of) !== of || ((control.fits || control.given) && !given);
+  control.row.hidden =
+      (control.kind ?? kind) !== kind || (control.of ?? of) !== of || ((control.fits || control.given) && !given);
   if (document.activeElement === control.field || document.activeElement === control.slider)
     return;
   const value = toField(control, given ? Number(text) : 0);
   if (control.fits && !control.fitted && given) { // from a hundredth to twice as much, in steps that fit
     control.fitted = true;
     const step = 10 ** Math.floor(Math.log10(value / 100));
-    Object.assign(control.slider, {min: exact(step * Math.ceil(value / 100 / step)), max: exact(step * Math.ceil(2 * value / step)), step});
+    Object.assign(
+        control.slider,
+        {min: exact(step * Math.ceil(value / 100 / step)), max: exact(step * Math.ceil(2 * value / step)), step});
   }
   control.field.value = value;
   stretch(control.slider, toSlider(control, value));
@@ -116,12 +137,17 @@ const addProfileField = (key, title, names, parent, moved, dropped) => {
   file.setAttribute("aria-label", `${title} from a file`);
   const take = async one => {
     if (one.size > LARGEST_FILE)
-      return problemShown(`'${one.name}' is not read (it has ${(one.size / 1e6).toFixed(0)} MB, a profile has less than ${LARGEST_FILE / 1e6}) Drop a profile.`);
+      return problemShown(`'${one.name}' is not read (it has ${
+          (one.size / 1e6).toFixed(0)} MB, a profile has less than ${LARGEST_FILE / 1e6}) Drop a profile.`);
     dropped(key, one.name, await one.text());
   };
   field.addEventListener("change", () => field.value.trim() && moved(key, field.value.trim()));
   file.addEventListener("change", () => file.files[0] && take(file.files[0]));
-  row.addEventListener("dragover", event => { event.preventDefault(); event.stopPropagation(); row.classList.add("onto"); });
+  row.addEventListener("dragover", event => {
+    event.preventDefault();
+    event.stopPropagation();
+    row.classList.add("onto");
+  });
   row.addEventListener("dragleave", () => row.classList.remove("onto"));
   row.addEventListener("drop", event => {
     event.preventDefault();

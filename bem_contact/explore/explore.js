@@ -2,7 +2,8 @@
 const start = JSON.parse(document.getElementById("data").textContent);
 const scene = {text: start.scene.text, changes: {...start.scene.changes}, files: {...start.scene.files}};
 const report = {kind: "result", file: start.name};
-let data = {}, solved, held, offerSweep; // data: of the answer that is shown; solved: the scene of the last answer; held: {scene, data}
+let data = {}, solved, held,
+    offerSweep; // data: of the answer that is shown; solved: the scene of the last answer; held: {scene, data}
 const element = id => document.getElementById(id);
 let shownWheel = "right"; // of a wheelset: whose figures and numbers are shown
 /// What is shown of a reply's data: one contact; of a wheelset one of its wheels.
@@ -45,7 +46,8 @@ const costs = {};
 
 const drawn = async (frame, figure) => {
   const from = performance.now();
-  await Plotly.react(frame, figure.traces, layoutOf(figure, frame.clientWidth), {...PLOT_OPTIONS, displayModeBar: false});
+  await Plotly.react(
+      frame, figure.traces, layoutOf(figure, frame.clientWidth), {...PLOT_OPTIONS, displayModeBar: false});
   costs[frame.id] = performance.now() - from;
 };
 
@@ -56,7 +58,8 @@ const figuresOf = contact => {
       out.push(["section", sectionFigure(contact)]);
       if (element("in-3d").checked) {
         const solid = solidFigure(contact, radiusOf(contact));
-        solid.layout.scene.camera = element("solid").layout?.scene.camera ?? solid.layout.scene.camera; // as it was turned
+        solid.layout.scene.camera =
+            element("solid").layout?.scene.camera ?? solid.layout.scene.camera; // as it was turned
         out.push(["solid", solid]);
       }
     }
@@ -100,7 +103,14 @@ const problemShown = message => {
   if (!message || !solved)
     return;
   add("p", "", element("problem")).append(Object.assign(document.createElement("button"), {
-    type: "button", textContent: "Back to the last case that was solved", onclick: () => { Object.assign(scene, structuredClone(solved)); element("text").value = scene.text; ask(); }}));
+    type: "button",
+    textContent: "Back to the last case that was solved",
+    onclick: () => {
+      Object.assign(scene, structuredClone(solved));
+      element("text").value = scene.text;
+      ask();
+    }
+  }));
 };
 
 /// Shows an answer, or what is wrong.
@@ -137,22 +147,23 @@ const showControls = () => {
   offerSweep(controls.filter(control => !control.row.hidden));
 };
 
-const valueText = (group, name) => number(valueOf(group, name), valueOf(group, `${name}_error`));
-
 const showNumbers = took => {
   const [contact] = contactsOf(data), status = element("status");
   const certified = certifiedOf(contact.group);
   status.className = certified ? "" : "broken";
-  status.textContent = (certified ? "Certified" : `NOT certified: ${contact.group.attributes.why_not_certified ?? "a contact condition is violated"}`) +
-      `. Model: ${titleOf(contact.name).toLowerCase()}.` + (took === undefined ? "" : ` Answered in ${took.toFixed(0)} ms.`);
+  status.textContent =
+      (certified
+           ? "Certified"
+           : `NOT certified: ${contact.group.attributes.why_not_certified ?? "a contact condition is violated"}`) +
+      `. Model: ${titleOf(contact.name).toLowerCase()}.` +
+      (took === undefined ? "" : ` Answered in ${took.toFixed(0)} ms.`);
   const parent = element("answer"), open = element("more")?.open;
   parent.replaceChildren();
   addSix(contact, parent);
   addRemarks(data.remarks, parent);
   const said = new Set(Object.values(data.remarks ?? {}).map(one => one.attributes?.text));
-  if (contact.group.warnings)
-    contact.group.warnings.text = warningsOf(contact).filter(text => !said.has(text)).join("\n");
-  addWarnings([["", contact]], parent, inFieldUnits);
+  for (const {text} of warningsOf(contact).filter(one => !said.has(one.text)))
+    add("p", `Warning: ${inFieldUnits(text)}`, parent, {className: "warning"});
   const more = add("details", "", parent, {id: "more", open: Boolean(open)});
   add("summary", "All numbers, with their errors", more);
   const fill = () => more.open && more.childElementCount === 1 && addAllNumbers(contact, more);
@@ -164,15 +175,21 @@ const showNumbers = took => {
 const addRemarks = (remarks, parent) => {
   for (const {attributes: {text}, keys, values} of Object.values(remarks ?? {}).filter(one => one.attributes)) {
     const line = add("p", `${text} `, parent, {className: "warning remark"});
-    const changes = Object.fromEntries(keys.text ? linesOf(keys).map((key, k) => [key, JSON.parse(linesOf(values)[k])]) : []);
+    const changes =
+        Object.fromEntries(keys.text ? linesOf(keys).map((key, k) => [key, JSON.parse(linesOf(values)[k])]) : []);
     if (Object.keys(changes).length)
       add("button", `Take it: ${Object.entries(changes).map(([key, value]) => `${key} = ${value}`).join(", ")}`, line, {
-        type: "button", onclick: () => { Object.assign(scene.changes, changes); lastMove = performance.now(); ask(); }});
+        type: "button",
+        onclick: () => {
+          Object.assign(scene.changes, changes);
+          lastMove = performance.now();
+          ask();
+        }
+      });
   }
 };
 
 // --- both wheels of a wheelset ---
-const BESIDE = ["pmax", "area", "Fx", "Fy", "Fz", "T_gamma", "adhesion_share"];
 const showWheels = () => {
   const both = data.wheels, parent = element("wheels");
   parent.hidden = !both;
@@ -180,12 +197,23 @@ const showWheels = () => {
     return;
   element("wheels-right").checked = shownWheel === "right";
   element("wheels-left").checked = shownWheel === "left";
-  const contacts = ["right", "left"].map(side => contactsOf(both[side])[0]), names = BESIDE.filter(name => contacts.every(({group}) => group.quantities[name]));
+  const contacts = ["right", "left"].map(side => contactsOf(both[side])[0]),
+        names = ranked(contacts[0].group.quantities, "result", "headline")
+                    .filter(name => contacts.every(({group}) => group.quantities[name]));
   element("wheels-table").replaceChildren();
-  addTable(`The wheelset stands ${valueText(data.wheelset, "lateral")} mm to the right. Each wheel counts y to its own side.`, ["", "right", "left", "unit"],
-    [["model", ...contacts.map(({name}) => titleOf(name)), ""], ["", ...contacts.map(({group}) => certifiedOf(group) ? "certified" : "NOT certified"), ""],
-     ...names.map(name => [words(name), ...contacts.map(({group}) => valueText(group.quantities, name)), unitText(contacts[0].group.quantities[name].unit)])],
-    {parent: element("wheels-table"), numbers: [1, 2], id: "both-wheels"});
+  addTable(
+      `The wheelset stands ${
+          valueText(data.wheelset, "lateral")} mm to the right. Each wheel counts y to its own side.`,
+      ["", "right", "left", "unit"],
+      [
+        ["model", ...contacts.map(({name}) => titleOf(name)), ""],
+        ["", ...contacts.map(({group}) => certifiedOf(group) ? "certified" : "NOT certified"), ""],
+        ...names.map(
+            name =>
+                [words(name), ...contacts.map(({group}) => valueText(group.quantities, name)),
+                 unitText(contacts[0].group.quantities[name].unit)])
+      ],
+      {parent: element("wheels-table"), numbers: [1, 2], id: "both-wheels"});
   contacts.forEach((contact, k) => {
     const figure = patchFigure(contact, element("arrows").value);
     if (figure)
@@ -197,7 +225,8 @@ const addWheelsPanel = parent => {
   add("h2", "Both wheels", parent);
   const both = add("div", "", parent, {className: "side-by-side"});
   for (const side of ["right", "left"]) {
-    const one = add("div", "", both), label = add("label", `${side} wheel: show it above `, add("p", "", one, {className: "caption"}));
+    const one = add("div", "", both),
+          label = add("label", `${side} wheel: show it above `, add("p", "", one, {className: "caption"}));
     const pick = add("input", "", label, {type: "radio", name: "shown-wheel", id: `wheels-${side}`});
     pick.addEventListener("change", () => { shownWheel = side; if (data.wheels) shown({data}, undefined, solved); });
     add("div", "", one, {id: `patch-${side}`, className: "figure"});
@@ -207,120 +236,9 @@ const addWheelsPanel = parent => {
 
 const addAllNumbers = (contact, more) => {
   const parent = add("div", "", more, {className: "scroll"});
-  addQuantities([contact], "The errors are those that the size of the elements is estimated to cause", "quantities", parent);
+  addQuantities(
+      [contact], "The errors are those that the size of the elements is estimated to cause", "quantities", parent);
   addPatches(contact, parent);
-};
-
-// --- two cases side by side ---
-const SAME = 1e-12;
-const changedText = (key, {changes}) => {
-  const control = CONTROLS.find(one => one.key === key), value = changes[key];
-  return value === undefined ? "as given" : control ? `${toField(control, value)} ${control.unit}`.trim() : value;
-};
-const describeChanges = (from, to) => {
-  const keys = [...new Set([...Object.keys(from.changes), ...Object.keys(to.changes)])];
-  return keys.filter(key => from.changes[key] !== to.changes[key])
-    .map(key => `${words(key)} (${key}) ${changedText(key, from)} → ${changedText(key, to)}`).join("; ") || "nothing";
-};
-
-const showHeld = () => {
-  const parent = element("held"), [now] = contactsOf(data);
-  parent.hidden = !held;
-  element("release").hidden = !held;
-  if (!held)
-    return;
-  const [before] = contactsOf(held.data), q = [before, now].map(contact => contact.group.quantities);
-  element("differs").textContent = `What differs: ${describeChanges(held.scene, solved)}.`;
-  const names = MAIN.filter(name => q.every(one => typeof valueOf(one, name) === "number"));
-  const share = (a, b) => Math.abs(a) > SAME ? `${(100 * (b - a) / Math.abs(a)).toFixed(1)} %` : "–";
-  element("held-table").replaceChildren();
-  addTable("", ["", "held", "now", "difference", "of the held one", "unit"], names.map(name => {
-    const [a, b] = q.map(one => valueOf(one, name));
-    return [words(name), valueText(q[0], name), valueText(q[1], name), number(b - a), share(a, b), unitText(q[1][name].unit)];
-  }), {parent: element("held-table"), numbers: [1, 2, 3, 4], id: "differences"});
-  for (const [id, contact] of [["patch-held", before], ["patch-now", now]]) {
-    const figure = patchFigure(contact, element("arrows").value);
-    if (figure)
-      drawn(element(id), {...figure, height: 340});
-  }
-};
-
-const addHeldPanel = parent => {
-  add("h2", "Two cases side by side", parent);
-  add("p", "", parent, {id: "differs", className: "caption"});
-  const both = add("div", "", parent, {className: "side-by-side"});
-  for (const [id, title] of [["patch-held", "held"], ["patch-now", "now"]]) {
-    const one = add("div", "", both);
-    add("p", title, one, {className: "caption"});
-    add("div", "", one, {id, className: "figure"});
-  }
-  add("div", "", parent, {id: "held-table", className: "scroll"});
-};
-
-// --- save, and the commands that do the same ---
-const saving = (what, name) => async () => {
-  try {
-    download(await fileOf(what, sceneNow()), name);
-  } catch (error) {
-    problemShown(error.message);
-  }
-};
-
-const numbersCsv = () => {
-  const {quantities: q} = contactsOf(data)[0].group;
-  return csvOf([["name", "value", "error", "unit", "meaning"], ...Object.keys(q).filter(name => !name.endsWith("_error")).map(name =>
-    [name, valueOf(q, name), valueOf(q, `${name}_error`), q[name].unit, q[name].description])]);
-};
-
-const savePicture = async () => {
-  const shownFigures = [...document.querySelectorAll(".figure")].filter(frame => frame.data && !frame.hidden && frame.clientWidth);
-  for (const frame of shownFigures)
-    download(await (await fetchPicture(frame)), `${frame.id}.png`);
-};
-const fetchPicture = async frame => {
-  const shownAs = {data: frame.data, layout: {...frame.layout, updatemenus: []}};
-  const text = await Plotly.toImage(shownAs, {format: "png", width: frame.clientWidth, height: frame.clientHeight, scale: 2});
-  return new Blob([Uint8Array.from(atob(text.split(",")[1]), c => c.charCodeAt(0))], {type: "image/png"});
-};
-
-const saveSweep = async () => {
-  try {
-    const text = await (await fileOf("scene", sceneNow())).text();
-    download(new Blob([text + sweepText()]), "explored_sweep.toml");
-  } catch (error) {
-    problemShown(error.message);
-  }
-};
-
-const showCommands = () => {
-  const changed = Object.keys(scene.changes).length > 0 || scene.text !== start.scene.text || start.name === "the first scene";
-  const file = changed ? "explored.toml" : start.name.replace(/^the scene of '(.*)'$/, "$1");
-  const lines = [...bodyCommands(), `bem_contact ${data.wheels ? "wheelset" : "solve"} ${file} -o explored.h5`, "bem_contact report explored.h5 -o explored.html"];
-  if (sweep.cases.length)
-    lines.push("bem_contact sweep explored_sweep.toml -o explored_sweep.h5");
-  if (held && held.scene.text === scene.text && Object.keys({...held.scene.changes, ...scene.changes})
-      .every(key => key === "solver.model" || held.scene.changes[key] === scene.changes[key])) {
-    const models = [held.data, data].map(one => contactsOf(one)[0].name);
-    if (models[0] !== models[1])
-      lines.push(`bem_contact compare ${file} --models ${models.join(",")}`);
-  }
-  element("commands").textContent = lines.join("\n");
-  element("save-sweep").hidden = element("save-sweep-csv").hidden = !sweep.cases.length;
-};
-
-const addSavePanel = parent => {
-  add("h2", "Save", parent);
-  const row = add("div", "", parent, {className: "row"});
-  const button = (text, onclick, more = {}) => add("button", text, row, {type: "button", onclick, ...more});
-  button("Scene (TOML)", saving("scene", "explored.toml"), {id: "save-scene"});
-  button("Result (HDF5)", saving("result", "explored.h5"), {id: "save-result"});
-  button("Page (HTML)", saving("report", "explored.html"), {id: "save-page"});
-  button("Numbers (CSV)", () => download(new Blob([numbersCsv()]), "explored.csv"), {id: "save-csv"});
-  button("Pictures (PNG)", savePicture, {id: "save-png"});
-  button("Sweep (TOML)", saveSweep, {id: "save-sweep", hidden: true});
-  button("Sweep (CSV)", () => download(new Blob([sweepCsv()]), "explored_sweep.csv"), {id: "save-sweep-csv", hidden: true});
-  add("p", `The same by commands. Save the scene in the folder ${start.folder || "."}, where its paths start.`, parent, {className: "caption"});
-  add("pre", "", parent, {id: "commands"});
 };
 
 // --- what is on the page ---
@@ -343,12 +261,15 @@ const newScene = (text, changes = {}) => {
 const controls = [], choices = [], profiles = [];
 const addControls = form => {
   const group = title => { const set = add("fieldset", "", form); add("legend", title, set); return set; };
-  const position = group("Position and load"), motion = group("Friction and creepage"), bodies = group("Bodies and model");
+  const position = group("Position and load"), motion = group("Friction and creepage"),
+        bodies = group("Bodies and model");
   for (const control of CONTROLS)
     controls.push(addControl(control, /^(motion|layer)/.test(control.key) ? motion : position, moved));
   for (const [key, title, names] of [["rail.profile", "rail", start.rails], ["wheel.profile", "wheel", start.wheels]])
     profiles.push(addProfileField(key, title, names, bodies, moved, profileDropped));
-  choices.push(addChoice("solver.model", "model", start.models.map(({name, title}) => [name, name === title ? name : title]), bodies, moved));
+  choices.push(addChoice(
+      "solver.model", "model", start.models.map(({name, title}) => [name, name === title ? name : title]), bodies,
+      moved));
   choices.push(addChoice("position.side", "side", [["right", "right wheel"], ["left", "left wheel"]], bodies, moved));
   const row = add("div", "", form, {className: "row"});
   const button = (text, id, onclick, more = {}) => add("button", text, row, {type: "button", id, onclick, ...more});
@@ -374,7 +295,8 @@ const takeDrops = () => {
     if (/\.toml$/i.test(file.name) && file.size < LARGEST_FILE)
       newScene(await file.text());
     else
-      problemShown(`'${file.name}' is not taken (a scene ends with .toml; of a profile it is not known whose it is) Drop a profile on the field of the rail or of the wheel.`);
+      problemShown(`'${file.name}' is not taken (a scene ends with .toml; of a profile it is not known whose it is) ` +
+                   "Drop a profile on the field of the rail or of the wheel.");
   });
 };
 
@@ -382,7 +304,9 @@ const CAPTIONS = {
   solid: "Wheel and rail with the pressure on the patch; the wheel is cut behind it. Turn it with the mouse.",
   patch: "The patch from above. Hatched: slip. Within the thick line: adhesion.",
   section: "The section at the contact, looking along the track.",
-  "cut-x": "Shear traction within the bound of friction, along x through the largest pressure.", "cut-s": "The same along s."};
+  "cut-x": "Shear traction within the bound of friction, along x through the largest pressure.",
+  "cut-s": "The same along s."
+};
 const addFigures = parent => {
   for (const [id, caption] of Object.entries(CAPTIONS)) {
     const block = add("div", "", parent);
@@ -411,13 +335,22 @@ const begin = async () => {
   addBodiesPanel(element("bodies"));
   addSavePanel(element("save"));
   takeDrops();
-  add("p", "x is the direction of rolling, y points to the right (left wheel: to the left), z down; s runs along the rail's profile, n into the rail. " +
-      "Forces are those on the rail. Figures: plotly.js (MIT licence), © Plotly, Inc.", element("notes"));
+  add("p",
+      "x is the direction of rolling, y points to the right (left wheel: to the left), z down; s runs along the " +
+          "rail's profile, n into the rail. Forces are those on the rail. Figures: plotly.js (MIT licence), " +
+          "© Plotly, Inc.",
+      element("notes"));
   if (NOTE)
     add("p", NOTE, element("notes"));
   await loadLibrary();
   let wide = innerWidth;
-  addEventListener("resize", () => { if (innerWidth !== wide && data.p_n) { wide = innerWidth; drawContact(true); showHeld(); } });
+  addEventListener("resize", () => {
+    if (innerWidth !== wide && data.p_n) {
+      wide = innerWidth;
+      drawContact(true);
+      showHeld();
+    }
+  });
   addEventListener("beforeprint", drawAtOnce);
   await ask();
 };

@@ -6,10 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
-// embedded.S; each ends with a NUL.
+// embedded.S; each ends with a NUL. The scripts are joined by the build (CMakeLists.txt).
 extern "C" {
-extern const char explore_explore_html[], explore_explore_css[], explore_reply_js[], explore_answer_js[],
-    explore_controls_js[], explore_sweep_js[], explore_bodies_js[], explore_explore_js[];
+extern const char explore_explore_html[], explore_explore_css[], explore_explore_js[];
 }
 
 namespace bem_contact::explore {
@@ -45,10 +44,8 @@ std::string explore_page(const Start& start) {
                   {"wheels", standards_of(ProfileKind::wheel)},
                   {"folder", start.scene.folder.string()},
                   {"models", models()}};
-  const std::string script = std::string(explore_reply_js) + explore_answer_js + explore_controls_js +
-                             explore_sweep_js + explore_bodies_js + explore_explore_js;
   return report::page_with_figures(
-      {.html = explore_explore_html, .style = explore_explore_css, .script = script},
+      {.html = explore_explore_html, .style = explore_explore_css, .script = explore_explore_js},
       data.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 

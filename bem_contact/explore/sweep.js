@@ -1,19 +1,30 @@
 // Sweeps: one answer after the other over what a slider moves. All are kept, so that a click shows one at once.
-const SWEPT = ["Fx", "Fy", "Fz", "Mz", "pmax", "area", "T_gamma", "approach"];
 const sweep = {key: "", cases: [], running: false}; // each case: {value, reply}
 
-const outcomeOf = ({data: result, problem}) => problem ? problem.kind : Object.values(result.wheels ?? {result}).every(certifiedOf) ? "certified" : "not certified";
-const reasonOf = ({data: result, problem}) => problem ? problem.message : Object.values(result.wheels ?? {result}).map(one => one.attributes.why_not_certified).filter(Boolean).join("; ");
+const outcomeOf = ({data: result, problem}) => problem            ? problem.kind
+    : Object.values(result.wheels ?? {result}).every(certifiedOf) ? "certified"
+                                                                  : "not certified";
+const reasonOf = ({data: result, problem}) => problem
+    ? problem.message
+    : Object.values(result.wheels ?? {result}).map(one => one.attributes.why_not_certified).filter(Boolean).join("; ");
 
 /// The answers as one table, as a file of a sweep has it (curve_figures.js).
 const sweepData = () => {
-  const control = CONTROLS.find(one => one.key === sweep.key), good = sweep.cases.find(one => one.reply.data), shownOf = one => oneOf(one.reply.data);
+  const control = CONTROLS.find(one => one.key === sweep.key), good = sweep.cases.find(one => one.reply.data),
+        shownOf = one => oneOf(one.reply.data);
   if (!good)
     return undefined;
   const results = sweep.cases.map(shownOf), of = (name, result) => result?.quantities[name]?.values[0] ?? null;
-  const out = {[sweep.key]: {values: sweep.cases.map(one => toField(control, one.value)), unit: control.unit || "1", description: "swept over"},
-               status: {values: sweep.cases.map(one => OUTCOMES.indexOf(outcomeOf(one.reply)))}, patches: {case: {values: []}}};
-  for (const name of SWEPT.filter(name => shownOf(good).quantities[name])) {
+  const out = {
+    [sweep.key]: {
+      values: sweep.cases.map(one => toField(control, one.value)),
+      unit: control.unit || "1",
+      description: "swept over"
+    },
+    status: {values: sweep.cases.map(one => OUTCOMES.indexOf(outcomeOf(one.reply)))},
+    patches: {case: {values: []}}
+  };
+  for (const name of ranked(shownOf(good).quantities, "result", "main")) {
     const {unit, description} = shownOf(good).quantities[name];
     out[name] = {values: results.map(result => of(name, result)), unit, description};
     out[`${name}_error`] = {values: results.map(result => of(`${name}_error`, result)), unit};
@@ -33,7 +44,7 @@ const drawSweep = async parent => {
   const table = sweepData();
   if (!table)
     return;
-  const wanted = [["Fx", "Fy"], ["pmax"], ["T_gamma"], ["Mz"]].filter(names => names.every(name => table[name]))
+  const wanted = SHARED.views.sweep.figures.filter(names => names.every(name => table[name]))
                      .map(names => [`sweep-${names.join("-")}`, sweepFigure(table, [sweep.key], sweep.key, names)]);
   if (table.patches.y?.values.some(y => y !== null))
     wanted.unshift(["sweep-patches", patchesFigure(table, sweep.key)]);
@@ -55,8 +66,10 @@ const showCase = i => {
 
 const sweepCsv = () => {
   const table = sweepData(), names = Object.keys(table).filter(name => !["status", "patches"].includes(name));
-  return csvOf([[...names.map(name => withUnit(name, table[name])), "status", "reason"],
-                ...sweep.cases.map(({reply}, i) => [...names.map(name => table[name].values[i]), outcomeOf(reply), reasonOf(reply)])]);
+  return csvOf([
+    [...names.map(name => withUnit(name, table[name])), "status", "reason"],
+    ...sweep.cases.map(({reply}, i) => [...names.map(name => table[name].values[i]), outcomeOf(reply), reasonOf(reply)])
+  ]);
 };
 
 /// The sweep as a table of a scene.
@@ -68,11 +81,14 @@ const sweepText = () => {
 /// The panel: which key, from where to where, how many; then the figures.
 const addSweepPanel = parent => {
   add("h2", "Sweep", parent);
-  const row = add("div", "", parent, {className: "row"}), field = (text, more) => add("input", "", add("label", text, row), more);
+  const row = add("div", "", parent, {className: "row"}),
+        field = (text, more) => add("input", "", add("label", text, row), more);
   const keys = add("select", "", add("label", "over ", row), {id: "sweep-key"});
-  const from = field("from ", {type: "number", step: "any", id: "sweep-from"}), to = field("to ", {type: "number", step: "any", id: "sweep-to"});
+  const from = field("from ", {type: "number", step: "any", id: "sweep-from"}),
+        to = field("to ", {type: "number", step: "any", id: "sweep-to"});
   const count = field("cases ", {type: "number", min: 2, max: 201, value: 17, id: "sweep-count"});
-  const run = add("button", "Sweep", row, {type: "button", id: "sweep-run"}), bar = add("progress", "", row, {hidden: true});
+  const run = add("button", "Sweep", row, {type: "button", id: "sweep-run"}),
+        bar = add("progress", "", row, {hidden: true});
   const note = add("p", "A click on a mark shows its patch.", parent, {className: "caption", hidden: true});
   const figures = add("div", "", parent, {className: "side-by-side"});
   const ends = () => {
@@ -83,8 +99,11 @@ const addSweepPanel = parent => {
   run.addEventListener("click", async () => {
     if (sweep.running)
       return void (sweep.running = false);
-    const control = CONTROLS.find(one => one.key === keys.value), n = Math.min(201, Math.max(2, Math.round(Number(count.value)) || 2));
-    const values = Array.from({length: n}, (_, k) => toKey(control, Number(from.value) + (Number(to.value) - Number(from.value)) * k / (n - 1)));
+    const control = CONTROLS.find(one => one.key === keys.value),
+          n = Math.min(201, Math.max(2, Math.round(Number(count.value)) || 2));
+    const values = Array.from(
+        {length: n},
+        (_, k) => toKey(control, Number(from.value) + (Number(to.value) - Number(from.value)) * k / (n - 1)));
     Object.assign(sweep, {key: keys.value, cases: [], running: true});
     run.textContent = "Stop";
     Object.assign(bar, {hidden: false, max: n, value: 0});
@@ -99,10 +118,15 @@ const addSweepPanel = parent => {
     sweep.running = false;
     run.textContent = "Sweep";
     bar.hidden = true;
-    const outcomes = sweep.cases.map(one => outcomeOf(one.reply)), bad = outcomes.findIndex(outcome => outcome !== "certified");
+    const outcomes = sweep.cases.map(one => outcomeOf(one.reply)),
+          bad = outcomes.findIndex(outcome => outcome !== "certified");
     note.hidden = false;
-    note.textContent = `Of ${n} cases ${countsText(outcome => outcome === "missing" ? n - outcomes.length : outcomes.filter(one => one === outcome).length)}. ` +
-                       "A click on a mark shows its patch." + (bad >= 0 ? ` The first that is ${outcomes[bad]}: ${reasonOf(sweep.cases[bad].reply)}` : "");
+    note.textContent = `Of ${n} cases ${
+                           countsText(
+                               outcome => outcome === "missing" ? n - outcomes.length
+                                                                : outcomes.filter(one => one === outcome).length)}. ` +
+        "A click on a mark shows its patch." +
+        (bad >= 0 ? ` The first that is ${outcomes[bad]}: ${reasonOf(sweep.cases[bad].reply)}` : "");
     await drawSweep(figures);
     showCommands();
   });

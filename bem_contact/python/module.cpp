@@ -10,6 +10,7 @@
 #include "bem_contact/python/sequence_object.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
+#include "bem_contact/record/found.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/report/report_page.hpp"
 #include "bem_contact/sequence/conformity_record.hpp"
@@ -255,6 +256,12 @@ void add_fields(ResultClass& c) {
 
 void add_trust(ResultClass& c) {
   using namespace py::literals;
+  c.def_property_readonly(
+      "found",
+      [](const SceneResult& r) {
+        return record::found_in(record_of(r, {.fields = false}), "result").sentences;
+      },
+      "What was found, in sentences: those that bem_contact solve and pages begin with");
   c.def_property_readonly(
       "model", [](const SceneResult& r) { return std::string(name_of(r.choice.model)); },
       "Its name in scenes, as halfspace");

@@ -59,6 +59,19 @@ std::string digits_within(double value, double error, int digits) {
   return digits_fine(value, error, std::min(digits, most));
 }
 
+std::string rounded(double value, double error) {
+  constexpr int digits_without_error = 4;
+  if (!(error > 0) || !std::isfinite(error))
+    return digits_fine(value, 0, digits_without_error);
+  const int decimals = decimals_of(error);
+  const auto to_two_digits = [decimals](double number) {
+    const double unit = std::pow(10.0, -std::min(decimals, 0));
+    return decimals > 0 ? number : unit * std::round(number / unit);
+  };
+  return fixed_text(to_two_digits(value), std::clamp(decimals, 0, most_digits)) +
+         plus_minus(to_two_digits(error));
+}
+
 std::string plus_minus(double error) {
   const std::string text = two_digits(error);
   return text.empty() ? "" : " +- " + text;

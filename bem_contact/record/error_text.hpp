@@ -21,4 +21,9 @@ std::string digits_fine(double value, double error, int digits);
 std::string fixed_within(double value, double error, int decimals);
 std::string digits_within(double value, double error, int digits);
 
+/// "2630 +- 32": number and error, both rounded to two digits of the error, also in front of the decimal
+/// point
+/// ("34790 +- 220"). Without a known error four digits of the number.
+std::string rounded(double value, double error);
+
 } // namespace bem_contact::record

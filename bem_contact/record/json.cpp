@@ -1,5 +1,7 @@
 #include "bem_contact/record/json.hpp"
 
+#include "bem_contact/record/found.hpp"
+
 #include <cmath>
 #include <cstdint>
 #include <fmt/format.h>
@@ -170,7 +172,8 @@ private:
 
 } // namespace
 
-std::string to_json(const Record& record) {
+std::string to_json(const Record& answer) {
+  const Record record = with_found(answer);
   json out = group_json(record), units = json::object();
   add_units(units, "", record);
   if (!units.empty())

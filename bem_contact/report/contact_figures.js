@@ -1,5 +1,6 @@
 // Figures of one contact. One colour has one meaning on the whole page; line styles and marks say the same without it.
-const INK = "#1c2733", RAIL = "#5b6f82", RAIL_FACE = "#a9b6c3", RAIL_LIGHT = "#edf1f5", WHEEL = "#b4533c", ADHESION = "#d95f02", BOUND = "#8a949e";
+const INK = "#1c2733", RAIL = "#5b6f82", RAIL_FACE = "#a9b6c3", RAIL_LIGHT = "#edf1f5", WHEEL = "#b4533c",
+      ADHESION = "#d95f02", BOUND = "#8a949e";
 const ALONG_X = "#6a3d9a", ALONG_S = "#1b7f79";
 const PRESSURE = [[0, "#eef4fb"], [1, "#3b7cc4"]];
 const STRESS = [[0, "#ffffff"], [1, "#7a7a7a"]];
@@ -78,9 +79,18 @@ const hatching = contact => {
 };
 
 /// What arrows may show.
-const ARROWS = {shear: {title: "shear traction on the rail", fields: ["px", "ps"], name: longest => `shear, at most ${longest.toPrecision(3)} MPa`},
-                slip: {title: "slip of the wheel over the rail", fields: ["slipX", "slipS"],
-                       name: longest => `slip, at most ${Number(longest.toPrecision(3))}`}};
+const ARROWS = {
+  shear: {
+    title: "shear traction on the rail",
+    fields: ["px", "ps"],
+    name: longest => `shear, at most ${longest.toPrecision(3)} MPa`
+  },
+  slip: {
+    title: "slip of the wheel over the rail",
+    fields: ["slipX", "slipS"],
+    name: longest => `slip, at most ${Number(longest.toPrecision(3))}`
+  }
+};
 
 /// Arrows on some elements; the longest stands for `longest`. `fields`: along x and along s.
 const arrows = (contact, window, fields) => {
@@ -179,20 +189,56 @@ const stressFigure = ({x, s, depths, von_mises: stress}) => {
   const [count, rows, deep] = stress.shape, at = stress.values.indexOf(Math.max(...stress.values));
   const [i, j, k] = [Math.floor(at / (rows * deep)), Math.floor(at / deep) % rows, at % deep];
   const value = (l, m, n) => stress.values[(l * rows + m) * deep + n], depth = depths.values;
-  const mark = {type: "scatter", mode: "markers", name: `largest: ${stress.values[at].toFixed(0)} MPa, ${depth[k].toFixed(2)} mm deep`,
-                marker: {symbol: "cross-thin", size: 14, line: {color: INK, width: 2}}};
+  const mark = {
+    type: "scatter",
+    mode: "markers",
+    name: `largest: ${stress.values[at].toFixed(0)} MPa, ${depth[k].toFixed(2)} mm deep`,
+    marker: {symbol: "cross-thin", size: 14, line: {color: INK, width: 2}}
+  };
   const down = {title: "depth, mm", autorange: "reversed"}, legend = {orientation: "h", y: 1.02, yanchor: "bottom"};
   if (count === 1 && rows === 1)
-    return {height: 340, traces: [{type: "scatter", mode: "lines+markers", x: depth.map((_, n) => value(0, 0, n)), y: depth,
-                                   name: "von Mises stress", line: {color: INK}}, {...mark, x: [stress.values[at]], y: [depth[k]]}],
-            layout: {xaxis: {title: `MPa, below x = ${x.values[0]}, s = ${s.values[0]} mm`}, yaxis: down, legend, showlegend: true}};
+    return {
+      height: 340,
+      traces: [
+        {
+          type: "scatter",
+          mode: "lines+markers",
+          x: depth.map((_, n) => value(0, 0, n)),
+          y: depth,
+          name: "von Mises stress",
+          line: {color: INK}
+        },
+        {...mark, x: [stress.values[at]], y: [depth[k]]}
+      ],
+      layout: {
+        xaxis: {title: `MPa, below x = ${x.values[0]}, s = ${s.values[0]} mm`},
+        yaxis: down,
+        legend,
+        showlegend: true
+      }
+    };
   const over = rows > 1 ? s : x;
-  return {height: 360, traces: [
-    {type: "contour", x: over.values, y: depth, z: depth.map((_, n) => over.values.map((_, m) => rows > 1 ? value(i, m, n) : value(m, j, n))),
-     colorscale: STRESS, contours: {showlabels: true, labelfont: {size: 10, color: INK}},
-     colorbar: {title: {text: "von Mises, MPa", side: "right"}, thickness: 14}},
-    {...mark, x: [over.values[rows > 1 ? j : i]], y: [depth[k]]}],
-    layout: {xaxis: {title: rows > 1 ? "s along the rail, mm" : "x, rolling direction, mm"}, yaxis: down, legend, showlegend: true}};
+  return {
+    height: 360,
+    traces: [
+      {
+        type: "contour",
+        x: over.values,
+        y: depth,
+        z: depth.map((_, n) => over.values.map((_, m) => rows > 1 ? value(i, m, n) : value(m, j, n))),
+        colorscale: STRESS,
+        contours: {showlabels: true, labelfont: {size: 10, color: INK}},
+        colorbar: {title: {text: "von Mises, MPa", side: "right"}, thickness: 14}
+      },
+      {...mark, x: [over.values[rows > 1 ? j : i]], y: [depth[k]]}
+    ],
+    layout: {
+      xaxis: {title: rows > 1 ? "s along the rail, mm" : "x, rolling direction, mm"},
+      yaxis: down,
+      legend,
+      showlegend: true
+    }
+  };
 };
 
 /// Triangles of the surface through lines of points [x, y, z], two for each quadrangle that `shown` (of line and
@@ -209,16 +255,22 @@ const triangles = (lines, shown = () => true) => {
         mesh.cells.push([l, m], [l, m]);
       }
   const {cells, ...corners} = mesh;
-  return {cells, mesh: {type: "mesh3d", x: points.map(p => p[0]), y: points.map(p => p[1]), z: points.map(p => p[2]), ...corners}};
+  return {
+    cells,
+    mesh: {type: "mesh3d", x: points.map(p => p[0]), y: points.map(p => p[1]), z: points.map(p => p[2]), ...corners}
+  };
 };
 
-/// Without the points that lie nearer than `tolerance` to the straight line between those that stay (Douglas and Peucker
-/// 1973): figures in 3-D are drawn in a tenth of the time.
+/// Without the points that lie nearer than `tolerance` to the straight line between those that stay (Douglas and
+/// Peucker 1973): figures in 3-D are drawn in a tenth of the time.
 const thinned = (points, tolerance = 0.02) => { // mm: less than a pixel, as the patch is some 10 mm wide
   const [a, b] = [points[0], points.at(-1)], chord = Math.hypot(b[0] - a[0], b[1] - a[1]);
-  const off = ([y, z]) => chord > 0 ? Math.abs((y - a[0]) * (b[1] - a[1]) - (z - a[1]) * (b[0] - a[0])) / chord : Math.hypot(y - a[0], z - a[1]);
+  const off = ([y, z]) => chord > 0 ? Math.abs((y - a[0]) * (b[1] - a[1]) - (z - a[1]) * (b[0] - a[0])) / chord
+                                    : Math.hypot(y - a[0], z - a[1]);
   const distances = points.map(off), worst = distances.indexOf(Math.max(...distances));
-  return distances[worst] > tolerance ? [...thinned(points.slice(0, worst + 1), tolerance).slice(0, -1), ...thinned(points.slice(worst), tolerance)] : [a, b];
+  return distances[worst] > tolerance
+      ? [...thinned(points.slice(0, worst + 1), tolerance).slice(0, -1), ...thinned(points.slice(worst), tolerance)]
+      : [a, b];
 };
 
 const plainSurface = (lines, name, color, opacity) => ({
@@ -231,7 +283,9 @@ const solidFigure = (contact, radius) => {
   const width = Math.max(...contact.rail.map(p => p[0])) - Math.min(...contact.rail.map(p => p[0]));
   const half = Math.max(0.4 * width, ...window.columns.map(k => 1.5 * Math.abs(contact.x[k])));
   const raised = 0.06; // mm above the rail, so that the patch is seen
-  const cut = Math.min(0.6 * half, contact.x[window.columns[1]] + contact.dx); // mm: the wheel is drawn behind the patch alone, which it would hide
+  const cut = Math.min(
+      0.6 * half,
+      contact.x[window.columns[1]] + contact.dx); // mm: the wheel is drawn behind the patch alone, which it would hide
   const span = Array.from({length: 13}, (_, k) => cut + (half - cut) * k / 12);
   const rail = thinned(contact.rail), wheel = thinned(contact.wheel);
   const traces = [plainSurface(rail.map(([y, z]) => [-half, half].map(x => [x, y, z])), "rail", RAIL_LIGHT, 1)];
@@ -264,16 +318,41 @@ const solidFigure = (contact, radius) => {
   traces.push({...lineOf(border.x.map((x, k) => x === null ? [null, null, null]
                                                  : [x, ...edge(Math.round((border.y[k] - contact.s[0]) / ds + 0.5))]),
                          "patch", INK, 5), connectgaps: false});
-  const side = contact.delta[row] < 0 !== contact.left ? 1 : -1; // looks at the patch from where the rail's surface faces
+  const side =
+      contact.delta[row] < 0 !== contact.left ? 1 : -1; // looks at the patch from where the rail's surface faces
   const view = (label, x, y, z) => ({label, method: "relayout", args: ["scene.camera.eye", {x, y, z}]});
   const aslant = [-1.25, 1.75 * side, 1.2];
-  return {traces, height: 520, layout: {
-    scene: {aspectmode: "data", camera: {eye: {x: aslant[0], y: aslant[1], z: aslant[2]}, center: {x: 0, y: 0, z: -0.1},
-                                         projection: {type: "orthographic"}}, // near labels are no larger, and stay on the figure
-            xaxis: {title: "x, mm", nticks: 4}, yaxis: {title: "y, mm", nticks: 6, autorange: contact.left ? true : "reversed"},
-            zaxis: {title: "z down, mm", nticks: 3, autorange: "reversed"}},
-    margin: {t: 40, l: 0, r: 0, b: 30}, legend: {orientation: "h", y: 0, yanchor: "top", x: 0},
-    updatemenus: [{type: "buttons", direction: "right", x: 0, xanchor: "left", y: 1.0, yanchor: "bottom", showactive: false, font: {size: 11},
-                   buttons: [view("aslant", ...aslant), view("along the track", -1.9, 0, 0.15),
-                             view("from above", -0.01, 0, 2.0), view("from the side", 0, 1.6 * side, 0.3)]}]}};
+  return {
+    traces,
+    height: 520,
+    layout: {
+      scene: {
+        aspectmode: "data",
+        camera: {
+          eye: {x: aslant[0], y: aslant[1], z: aslant[2]},
+          center: {x: 0, y: 0, z: -0.1},
+          projection: {type: "orthographic"}
+        }, // near labels are no larger, and stay on the figure
+        xaxis: {title: "x, mm", nticks: 4},
+        yaxis: {title: "y, mm", nticks: 6, autorange: contact.left ? true : "reversed"},
+        zaxis: {title: "z down, mm", nticks: 3, autorange: "reversed"}
+      },
+      margin: {t: 40, l: 0, r: 0, b: 30},
+      legend: {orientation: "h", y: 0, yanchor: "top", x: 0},
+      updatemenus: [{
+        type: "buttons",
+        direction: "right",
+        x: 0,
+        xanchor: "left",
+        y: 1.0,
+        yanchor: "bottom",
+        showactive: false,
+        font: {size: 11},
+        buttons: [
+          view("aslant", ...aslant), view("along the track", -1.9, 0, 0.15), view("from above", -0.01, 0, 2.0),
+          view("from the side", 0, 1.6 * side, 0.3)
+        ]
+      }]
+    }
+  };
 };

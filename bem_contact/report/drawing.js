@@ -1,24 +1,36 @@
 // How any page is put together: elements, figures, errors of scripts, the plotting library.
 const page = document.getElementById("page");
+let into = page; // where add() puts what it makes
+/// What `action` adds comes into this element.
+const inside = (element, action) => {
+  const before = into;
+  into = element;
+  action();
+  into = before;
+  return element;
+};
 let idPrefix = ""; // of a part of a study: ids are unique
 const figures = []; // [element, figure]: drawn once the library is there
 
 const failed = error => {
   const list = document.getElementById("script-errors");
   list.hidden = false;
-  list.append(Object.assign(document.createElement("li"), {textContent: `This page was not drawn to its end: ${error}`}));
+  list.append(
+      Object.assign(document.createElement("li"), {textContent: `This page was not drawn to its end: ${error}`}));
 };
 window.addEventListener("error", event => failed(event.message));
 window.addEventListener("unhandledrejection", event => failed(event.reason));
 
-const add = (kind, text = "", parent = page, more = {}) =>
+const add = (kind, text = "", parent = into, more = {}) =>
     parent.appendChild(Object.assign(document.createElement(kind), {textContent: text}, more));
 
-const addFigure = (id, caption, figure, parent = page) => {
+/// `shape`: "wide" has a line of its own where others stand side by side.
+const addFigure = (id, caption, figure, shape = "") => {
   if (!figure)
     return;
-  const block = add("div", "", parent, {className: "block"});
-  const frame = add("div", "", block, {id: idPrefix + id, className: id.startsWith("solid") ? "figure solid" : "figure"});
+  const block = add("div", "", into, {className: `block ${shape}`.trim()});
+  const frame =
+      add("div", "", block, {id: idPrefix + id, className: id.startsWith("solid") ? "figure solid" : "figure"});
   add("div", "", frame, {className: "drawing"});
   add("p", caption, block, {className: "caption"});
   figures.push([frame, figure]);
@@ -35,24 +47,36 @@ const unpacked = async id => {
 
 /// The layout of a figure for the library, `width` px wide.
 const layoutOf = ({layout, height}, width) => {
-  const axis = {automargin: true, showline: true, linecolor: INK, ticks: "outside", zeroline: false, gridcolor: "#e3e7eb", exponentformat: "none"};
+  const axis = {
+    automargin: true,
+    showline: true,
+    linecolor: INK,
+    ticks: "outside",
+    zeroline: false,
+    gridcolor: "#e3e7eb",
+    exponentformat: "none"
+  };
   const whole = {width, height, font: {family: "sans-serif", size: 12, color: INK}, hovermode: "closest", ...layout,
                  margin: {t: 50, l: 65, r: 20, b: 50, ...layout.margin}};
-  for (const name of ["xaxis", "yaxis", "yaxis2"])
+  for (const name of ["xaxis", "yaxis", "xaxis2", "yaxis2"])
     if (layout[name])
       whole[name] = {...axis, ...layout[name], title: {text: layout[name].title, standoff: 6}};
   return whole;
 };
 const PLOT_OPTIONS = {displaylogo: false, modeBarButtonsToRemove: ["select2d", "lasso2d"]};
 
-const PAPER = 700; // px: a sheet of A4 within its margins
+const PAPER = 700, GUTTER = 16; // px: a sheet of A4 within its margins, and between figures side by side
 let onPaper = false;
-const widthOf = frame => onPaper ? PAPER : Math.max(280, frame.clientWidth);
+const isHalf = frame => frame.closest(".side-by-side, .part") && !frame.closest(".wide");
+const widthOf = frame => onPaper ? isHalf(frame) ? (PAPER - GUTTER) / 2 : PAPER : Math.max(280, frame.clientWidth);
+/// On paper a study's parts stand side by side, too, and figures are flatter, so that an answer takes few sheets.
+const heightOf = (frame, height) => onPaper ? Math.min(height, isHalf(frame) ? 250 : 340) : height;
 
 const draw = async ([frame, figure]) => {
-  const drawing = frame.firstChild, size = () => ({width: widthOf(frame), height: figure.height});
+  const drawing = frame.firstChild;
   const narrow = widthOf(frame) < 600; // px: its buttons would cover a legend
-  await Plotly.newPlot(drawing, figure.traces, layoutOf(figure, widthOf(frame)), {...PLOT_OPTIONS, ...narrow ? {displayModeBar: false} : {}});
+  const layout = {...layoutOf(figure, widthOf(frame)), height: heightOf(frame, figure.height)};
+  await Plotly.newPlot(drawing, figure.traces, layout, {...PLOT_OPTIONS, ...narrow ? {displayModeBar: false} : {}});
   if (figure.frames)
     await Plotly.addFrames(drawing, figure.frames);
   if (figure.click)
@@ -62,7 +86,7 @@ const draw = async ([frame, figure]) => {
   const picture = add("img", "", frame, {className: "paper", alt: "wheel, rail and patch"});
   const take = async () => {
     const shown = {data: drawing.data, layout: {...drawing.layout, updatemenus: []}};
-    picture.src = await Plotly.toImage(shown, {format: "png", ...size(), width: PAPER, scale: 2});
+    picture.src = await Plotly.toImage(shown, {format: "png", width: PAPER, height: figure.height, scale: 2});
   };
   await take();
   drawing.on("plotly_relayout", take); // paper shows it as it was turned last
@@ -70,15 +94,19 @@ const draw = async ([frame, figure]) => {
 
 /// Figures follow the width of the window, and of paper.
 const fit = () => {
-  for (const [frame] of figures)
-    if (frame.firstChild.data && frame.offsetParent !== null && Math.abs(frame.firstChild.layout.width - widthOf(frame)) > 1)
-      Plotly.relayout(frame.firstChild, {width: widthOf(frame)});
+  for (const [frame, {height}] of figures) {
+    const width = widthOf(frame), {layout} = frame.firstChild;
+    if (layout && frame.offsetParent !== null &&
+        (Math.abs(layout.width - width) > 1 || layout.height !== heightOf(frame, height)))
+      Plotly.relayout(frame.firstChild, {width, height: heightOf(frame, height)});
+  }
 };
 const followWidth = () => {
   addEventListener("resize", fit);
   addEventListener("beforeprint", () => {
     onPaper = true;
-    for (const one of figures.filter(([frame]) => !frame.firstChild.data)) // the event waits for nobody; the library draws at once
+    for (const one of figures.filter(
+             ([frame]) => !frame.firstChild.data)) // the event waits for nobody; the library draws at once
       draw(one);
     fit();
   });
@@ -92,4 +120,16 @@ const download = (blob, name) => {
   link.remove();
   setTimeout(() => URL.revokeObjectURL(link.href), 60e3);
 };
-const csvOf = lines => lines.map(cells => cells.map(cell => { const text = String(cell ?? ""); return /^([\w .]*|-?[\d.]+(e[-+]?\d+)?)$/.test(text) ? text : `"${/^[=+\-@]/.test(text) ? " " : ""}${text.replaceAll('"', '""').replaceAll(/[\r\n]/g, " ")}"`; }).join(",")).join("\n") + "\n"; // texts as record::csv_text()
+const csvOf = lines => lines
+                           .map(
+                               cells => cells
+                                            .map(cell => {
+                                              const text = String(cell ?? "");
+                                              return /^([\w .]*|-?[\d.]+(e[-+]?\d+)?)$/.test(text)
+                                                  ? text
+                                                  : `"${/ ^[= +\- @] /.test(text) ? " " : ""}${
+                                                        text.replaceAll('"', '""').replaceAll(/[\r\n]/g, " ")}"`;
+                                            })
+                                            .join(","))
+                           .join("\n") +
+    "\n"; // texts as record::csv_text()

@@ -4,6 +4,7 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/found.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/json.hpp"
 #include "bem_contact/report/mesh_file.hpp"
@@ -14,12 +15,13 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <ostream>
+#include <utility>
+#include <variant>
 
-// embedded.S; each ends with a NUL.
+// embedded.S; each ends with a NUL. The scripts are joined by the build (CMakeLists.txt).
 extern "C" {
-extern const char report_page_html[], report_page_css[], report_page_js[], report_contact_figures_js[],
-    report_curve_figures_js[], report_words_js[], report_words_json[], report_drawing_js[],
-    report_plotting_library_txt[];
+extern const char report_page_html[], report_page_css[], report_shared_js[], report_page_js[],
+    report_words_json[], report_plotting_library_txt[];
 }
 
 namespace bem_contact::report {
@@ -133,13 +135,30 @@ void require_library() {
                      "Run tools/install_packages contact-only, configure again (cmake --fresh) and build.");
 }
 
-std::string report_page(const Record& data) {
-  return page_with_figures({.html = report_page_html, .style = report_page_css, .script = report_page_js},
-                           record::to_described_json(data, left_out));
+Record said_of(const record::Found& found) {
+  return {{"found", record::Texts{found.sentences, "what was found"}},
+          {"next", record::Texts{found.next, "what may be asked next"}}};
 }
 
-void write_page(const Record& data, const std::filesystem::path& output) {
-  const std::string page = report_page(data);
+/// With what was found, of a study in each part too.
+Record with_words(Record page) {
+  const Record& data = std::get<Record>(*record::find(page, "data"));
+  Record parts, out = said_of(record::found_in(data));
+  if (const auto* all = record::find(data, "parts"); all && std::holds_alternative<Record>(*all))
+    for (const auto& [name, one] : std::get<Record>(*all).entries())
+      if (const auto* part = std::get_if<Record>(&one))
+        parts.add(name, said_of(record::found_in(*part)));
+  out.add("parts", std::move(parts));
+  return std::move(out.append(std::move(page)));
+}
+
+std::string report_page(Record data) {
+  return page_with_figures({.html = report_page_html, .style = report_page_css, .script = report_page_js},
+                           record::to_described_json(with_words(std::move(data)), left_out));
+}
+
+void write_page(Record data, const std::filesystem::path& output) {
+  const std::string page = report_page(std::move(data));
   write_text(output, [&](std::ostream& out) { out << page; });
 }
 
@@ -151,10 +170,7 @@ std::string page_with_figures(const PageParts& parts, std::string data) {
   replace_all(data, "<!--", "<\\u0021--");
   std::string page(parts.html);
   std::string script = "const SHARED = "; // words, which pictures have too
-  for (const char* part : {report_words_json, ";\n", report_drawing_js, report_contact_figures_js,
-                           report_curve_figures_js, report_words_js})
-    script += part;
-  script += parts.script;
+  script.append(report_words_json).append(";\n").append(report_shared_js).append(parts.script);
   const std::array<std::pair<std::string_view, std::string_view>, 4> places{
       {{"@STYLE@", parts.style},
        {"@SCRIPT@", script},

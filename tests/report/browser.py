@@ -94,9 +94,9 @@ class Browser:
             document.body?.dataset.drawn || document.querySelector("#script-errors li") ? done() : setTimeout(look, 50);
             look(); })""")
 
-    def of_width(self, width):
+    def of_width(self, width, height=1000):
         """The screen's, px. Figures in 3-D are drawn anew, which takes seconds."""
-        self.call("Emulation.setDeviceMetricsOverride", {"width": width, "height": 1000, "deviceScaleFactor": 1, "mobile": False})
+        self.call("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
 
     def screenshot(self, file):
         data = self.call("Page.captureScreenshot", {"captureBeyondViewport": True})["data"]

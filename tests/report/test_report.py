@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -87,6 +88,8 @@ def program(*arguments):
 
 
 class Report(unittest.TestCase):
+    warned = ("result", "comparison", "wheelset")  # pages of these have warnings
+
     @classmethod
     def setUpClass(cls):
         cls.temporary = tempfile.TemporaryDirectory()
@@ -247,7 +250,45 @@ class Report(unittest.TestCase):
             self.assertGreater(len(np.unique(figure.round(2), axis=0)), 20, (kind, name))
         printed = self.folder / f"{kind}.pdf"
         show.pdf(printed)
-        self.assertGreater(printed.read_bytes().count(b"/Type /Page\n"), 0, kind)
+        self.assertIn(printed.read_bytes().count(b"/Type /Page\n"), range(1, 5), kind)  # sheets of A4
+
+    def look_at_the_first_screen(self, show, kind):
+        """What was found, one picture, the first warning and what to do next stand on a laptop's screen, side by side."""
+        wide, high = 1280, 800
+        show.of_width(wide, high)
+        box = ("(id => (at => at && [at.left, at.top, at.right, at.bottom])(document.querySelector(id)?.getBoundingClientRect()))")
+        shown = {id: show.value(f"{box}('{id}')") for id in ("#found", "#first .figure", "#warnings .warning", "#next")}
+        words, picture = shown["#found"], shown["#first .figure"]
+        for id, at in shown.items():
+            if at:
+                self.assertTrue(0 <= at[0] and at[2] <= wide and at[3] <= high, (kind, id, at))
+        self.assertLess(words[2], picture[0] + 1, kind)  # the words beside the picture
+        self.assertEqual(bool(shown["#warnings .warning"]), kind in self.warned, kind)
+        # The sentences are those of every other door.
+        sentences = show.value("[...document.querySelectorAll('#found li')].map(line => line.textContent)")
+        page, stored = self.report_of(kind), self.files.get(kind)
+        if kind in ("profile", "mesh", "influence"):
+            self.assertIsNone(shown["#next"], kind)
+        else:
+            plain = [one.replace("±\u00a0", "+- ").replace("²", "2").replace("³", "3").replace("\u00a0", " ") for one in sentences]
+            self.assertEqual(plain, page["found"]["text"].split("\n"), kind)
+            self.assertIn(len(plain), range(2, 6), kind)
+            self.assertIsNotNone(shown["#next"], (kind, stored))
+        # Tables come after all figures, and are folded; what was asked comes last.
+        self.assertEqual(show.value("[...document.querySelectorAll('table')].filter(t => !t.closest('details')).length"), 0, kind)
+        self.assertEqual(show.value("document.querySelector('main').lastElementChild.id"), "question" if kind != "profile" else "downloads", kind)
+        show.of_width(browser.USUAL)
+
+    def test_digits_are_those_of_the_error(self):
+        """As the program rounds (record/error_text.hpp)."""
+        if not shutil.which("node"):
+            self.skipTest("node is not installed")
+        script = "const SHARED = {words: {}, views: {}};" + (ROOT / "bem_contact" / "report" / "numbers.js").read_text()
+        for call, text in (("2627.6, 32.1", "2628 ± 32"), ("34793, 221", "34790 ± 220"), ("12790572, 19723973", "13000000 ± 20000000"),
+                           ("-9.2714e-4, 5.1e-6", "(-9.271 ± 0.051)e-4"), ("1e-5, 0.034", "0.000 ± 0.034"), ("462.51234", "462.51"),
+                           ("null", "–"), ("1e-12, 0.5", "0.00 ± 0.50")):
+            done = subprocess.run([shutil.which("node"), "-e", f"{script}; console.log(number({call}))"], capture_output=True, text=True, check=True)
+            self.assertEqual(done.stdout.strip().replace("\u00a0", " "), text)
 
     def look_at_differences(self, show):
         """Of each model, what it has more than the first one; each kind of warning once."""
@@ -303,16 +344,16 @@ class Report(unittest.TestCase):
         self.assertEqual(float(pmax[1]), self.report_of("result")["data"]["quantities"]["pmax"]["values"][0])
 
     def look_at_width(self, show, width):
-        """At most 1100 px on a wide screen; on a narrow one nothing is wider than the screen."""
+        """At most 1200 px on a wide screen; on a narrow one nothing is wider than the screen."""
         self.assertLessEqual(show.value("document.documentElement.scrollWidth"), width)
-        self.assertLessEqual(show.value("Math.max(0, ...[...document.querySelectorAll('.figure')].map(f => f.getBoundingClientRect().width))"), 1100)
+        self.assertLessEqual(show.value("Math.max(0, ...[...document.querySelectorAll('.figure')].map(f => f.getBoundingClientRect().width))"), 1200)
         on_words = [line for line in show.value(LOOK).splitlines() if " lies on " in line or "cut off" in line]
         self.assertEqual(on_words, [], width)
 
     @unittest.skipUnless(browser.PROGRAM, "chromium is not installed")
     def test_a_browser_draws_it(self):
         contact = ["patch", "cut-x", "cut-s"]
-        wanted = {"result": ["quantities", "patches-fem", "solid-fem", "section-fem", *(f"{c}-fem" for c in contact)],
+        wanted = {"result": ["place", "quantities", "patches-fem", "solid-fem", "section-fem", *(f"{c}-fem" for c in contact)],
                   "stresses": ["stresses-halfspace"], "cylinder": ["patch-halfspace", "cut-x-halfspace", "history"],
                   "comparison": ["pressures", "quantities-at_equal_forces", "creep-forces", *(f"{c}-{m}" for c in contact
                                                                           for m in ("halfspace", "tangent_plane", "fem"))],
@@ -320,7 +361,7 @@ class Report(unittest.TestCase):
                   "sweep": ["patches-over-y", "over-pmax", "over-Fx-Fy", "cases"],
                   "cases": ["patches-over-y", "over-pmax", "over-T_gamma", "cases"],
                   "conicity": ["conicities", "tan-gamma", "radius-difference", "touch-wheel", "touch-rail"],
-                  "wheelset": ["track", *(f"{c}-{side}" for c in (*contact, "solid", "quantities") for side in ("left", "right"))],
+                  "wheelset": ["place", "track", *(f"{c}-{side}" for c in (*contact, "solid", "quantities") for side in ("left", "right"))],
                   "wear": ["film-rail", "film-wheel", "worn-rail", "worn-wheel", "wear-depth", "wear-area", "steps"],
                   "profile": ["outline", "curvature"],
                   "fatigue": ["shakedown", "stress-depth", "fatigue-patches"],
@@ -329,7 +370,8 @@ class Report(unittest.TestCase):
                   "rates": ["worn-rows", "rates"], "axle_rates": ["worn-rows-left", "worn-rows-right", "rates-left", "rates-right"],
                   "table": ["table-errors", "table-Fx", "table-pmax", "table-columns", "table-axes"],
                   "mesh": ["mesh", "mesh-strip"], "map": ["map", "map-entries"], "influence": ["strip", "influence-attributes"],
-                  "study": ["taken", "parts", "headline", "solve-patch-halfspace", "fatigue-shakedown", "wear-worn-rows", "conicity-tan-gamma"]}
+                  "study": ["taken", "parts", "headline", "solve-place", "solve-patch-halfspace", "fatigue-shakedown", "wear-worn-rows",
+                            "conicity-tan-gamma"]}
         show = browser.Browser()
         try:
             for kind, page in self.pages.items():
@@ -339,8 +381,8 @@ class Report(unittest.TestCase):
                 for name in wanted[kind]:
                     drawn = f"!!document.getElementById('{name}')?.matches('table, :has(svg.main-svg)')"
                     self.assertTrue(show.value(drawn), (kind, name))
-                if kind != "study":  # it begins with tables
-                    self.assertGreater(len(show.value("document.getElementById('words').textContent")), 50, kind)
+                self.assertGreater(len(show.value("document.getElementById('words').textContent")), 40, kind)
+                self.look_at_the_first_screen(show, kind)
                 self.assertEqual(show.value(LOOK), "", kind)
                 self.look_at_the_screenshot(show, kind)
                 if kind == "wear":
@@ -359,14 +401,14 @@ class Report(unittest.TestCase):
                     entries = self.report_of(kind)["data"]["map"]
                     cells = show.value("[...document.querySelectorAll('#map-entries tbody tr')].map(row => [...row.cells].map(c => c.textContent))")
                     self.assertEqual([row[0] for row in cells], 3 * ["S1002"] + 3 * ["LMA"])
-                    np.testing.assert_allclose([float(row[3]) for row in cells], entries["tan_gamma"]["values"], rtol=1e-5)
+                    np.testing.assert_allclose([float(row[3]) for row in cells], entries["tan_gamma"]["values"], rtol=1e-4)
                 if kind == "table":
                     data = self.report_of(kind)["data"]
                     drawn = show.value("document.querySelector('#table-pmax .drawing').data[0].y")
                     values = np.reshape(data["values"]["pmax"]["values"], data["values"]["pmax"]["shape"])
                     np.testing.assert_array_equal(drawn, values[:, 0])  # over the first axis, the first point of the second
                 if kind == "wheelset":
-                    row = show.value("[...document.querySelectorAll('#track tbody tr')].find(r => r.innerText.startsWith('inclination')).innerText")
+                    row = show.value("[...document.querySelectorAll('#track tbody tr')].find(r => r.textContent.startsWith('inclination')).textContent")
                     right = self.report_of(kind)["data"]["right"]["track"]["delta"]["values"][0]
                     radian, degrees = re.search(r"(-\d\S*) \((-\d\S*)°\)", row).groups()
                     self.assertAlmostEqual(float(radian), right, delta=1e-5)
@@ -384,23 +426,24 @@ class Report(unittest.TestCase):
                     titles = show.value("[...document.querySelectorAll('#over-pmax .ytitle')].map(t => t.textContent).join()")
                     self.assertEqual(titles, "largest pressure, MPa")
                 if kind == "comparison":
-                    cells = show.value("[...document.querySelectorAll('#creep-forces tbody tr')].map(row => row.innerText.split('\\t'))")
+                    cells = show.value("[...document.querySelectorAll('#creep-forces tbody tr')].map(row => [...row.cells].map(cell => cell.textContent))")
                     creep = self.report_of(kind)["data"]["creep_forces"]
                     for k, (xi, *forces) in enumerate(cells):
                         self.assertEqual(float(xi), creep["xi_from_free_rolling"]["values"][k])
                         for text, model in zip(forces, ("fem", "tangent_plane", "halfspace"), strict=True):
                             force, error = (float(part) for part in text.split("±"))
-                            self.assertAlmostEqual(force, creep["Fx"][model]["values"][k], delta=1)
-                            self.assertAlmostEqual(error, creep["Fx_error"][model]["values"][k], delta=1)
+                            stated = creep["Fx_error"][model]["values"][k]  # both are rounded to two digits of it
+                            self.assertAlmostEqual(force, creep["Fx"][model]["values"][k], delta=0.051 * stated)
+                            self.assertAlmostEqual(error, stated, delta=0.051 * stated)
                     self.assertEqual(len(cells), 3)
                 if kind == "result":
                     pixels = show.value("document.querySelector('#solid-fem .paper').src.length")
                     self.assertGreater(pixels, 20000)  # a picture of the bodies for paper, not an empty one
-                    certificate = show.value("document.querySelector('.certificate').innerText")
+                    certificate = show.value("document.querySelector('.certificate').textContent")
                     self.assertIn("Certified: the worst violation", certificate)
-                    tops = show.value("['.six', '#solid-fem', '#patch-fem', '#quantities'].map(e => "
+                    tops = show.value("['#place', '.six', '#solid-fem', '#patch-fem', '#numbers', '#question'].map(e => "
                                       "document.querySelector(e).getBoundingClientRect().top + scrollY)")
-                    self.assertEqual(tops, sorted(tops))  # six numbers and bodies first, tables last
+                    self.assertEqual(tops, sorted(tops))  # where it touches, six numbers and bodies first; tables and the question last
                     self.assertEqual(show.value("document.querySelectorAll('.six dd').length"), 6)
                     self.look_at_downloads(show)
                 if kind in ("result", "sweep"):

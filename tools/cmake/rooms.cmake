@@ -67,6 +67,13 @@ function(conformal_opened_library room name library)
   install(TARGETS ${target} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_SKIP)
 endfunction()
 
+# conformal_join(<name> FILE...): the files one after the other are the file <name> in the folder of the build.
+function(conformal_join name)
+  list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ OUTPUT_VARIABLE files)
+  set(joined ${CMAKE_CURRENT_BINARY_DIR}/${name})
+  add_custom_command(OUTPUT ${joined} COMMAND ${CMAKE_COMMAND} -E cat ${files} > ${joined} DEPENDS ${files} COMMENT "")
+endfunction()
+
 # conformal_embed(<variable> <prefix> FILE...): files become part of a room. <variable> is a source for it: FILE's bytes,
 # with a NUL behind them, are the array <prefix>_<FILE as an identifier>.
 function(conformal_embed variable prefix)

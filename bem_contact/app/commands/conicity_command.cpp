@@ -1,18 +1,17 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/commands/conicity_maps.hpp"
 #include "bem_contact/app/output/output_names.hpp"
+#include "bem_contact/app/output/print_answer.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
-#include "bem_contact/base/printable.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/record/csv.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
-#include "bem_contact/record/json.hpp"
 #include "bem_contact/scene/network.hpp"
 #include "bem_contact/sequence/conformity_record.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
@@ -205,8 +204,8 @@ ExitCode run_map(const ConicityArguments& arguments) {
                        headed(conicity_map_format, given, arguments.output).append(record_of(map)));
   if (!arguments.csv.empty())
     write_text(arguments.csv, [&](std::ostream& out) { write_map_csv(out, map); });
-  print_out("{}", arguments.json ? record::to_json(headed(conicity_map_format).append(record_of(map))) + "\n"
-                                 : track_text(given.scene) + "\n" + map_text(map));
+  print_answer(headed(conicity_map_format).append(record_of(map)), arguments.json,
+               track_text(given.scene) + "\n" + map_text(map));
   return success;
 }
 
@@ -234,9 +233,8 @@ ExitCode run(const ConicityArguments& arguments) {
     write_text(arguments.csv, [&](std::ostream& out) {
       record::write_csv(out, record::table_of("displacement", stand_columns(), conicity.stands));
     });
-  print_out("{}", arguments.json
-                      ? record::to_json(headed(conicity_format).append(record_of(conicity, wheelset))) + "\n"
-                      : conicity_text(conicity, wheelset, given.scene));
+  print_answer(headed(conicity_format).append(record_of(conicity, wheelset)), arguments.json,
+               conicity_text(conicity, wheelset, given.scene));
   return success;
 }
 

@@ -2,15 +2,14 @@
 
 #include "bem_contact/app/number_list.hpp"
 #include "bem_contact/app/output/output_names.hpp"
+#include "bem_contact/app/output/print_answer.hpp"
 #include "bem_contact/app/sweep/numbers_by_children.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
-#include "bem_contact/base/printable.hpp"
 #include "bem_contact/record/csv.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
-#include "bem_contact/record/json.hpp"
 #include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
@@ -215,10 +214,9 @@ ExitCode run(const CreepArguments& arguments) {
                        headed(creep_curves_format, given, arguments.output).append(answer.record()));
   if (!arguments.csv.empty())
     write_text(arguments.csv, [&](std::ostream& out) { write_curves(out, curves); });
-  print_out("{}", arguments.json
-                      ? record::to_json(headed(creep_curves_format).append(answer.record())) + "\n"
-                      : curves_text(curves) +
-                            (answer.measured ? measured_text(*answer.measured, arguments.measured) : ""));
+  print_answer(headed(creep_curves_format).append(answer.record()), arguments.json,
+               curves_text(curves) +
+                   (answer.measured ? measured_text(*answer.measured, arguments.measured) : ""));
   warn(curves.solution.warnings);
   if (certified(answer))
     return success;

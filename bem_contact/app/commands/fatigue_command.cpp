@@ -1,13 +1,12 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/output_names.hpp"
+#include "bem_contact/app/output/print_answer.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/output_file.hpp"
-#include "bem_contact/base/printable.hpp"
 #include "bem_contact/record/csv.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
-#include "bem_contact/record/json.hpp"
 #include "bem_contact/scene/sweep_check.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/uses/fatigue/fatigue_of_result.hpp"
@@ -38,6 +37,14 @@ struct FatigueArguments {
   fatigue::FatigueProperties properties;
 };
 
+std::string summary_of(const fatigue::CollectiveFatigue& table) {
+  return fmt::format(
+      "{}, {}: {} beyond the shakedown limit of the surface (FI_surf > 0), {} beyond that below the "
+      "surface alone\ndamage of one passage, mean over the collective: {:.4g}\n",
+      counted(table.cases, "case", "cases"), counted(table.patches.size(), "patch", "patches"),
+      table.beyond_surface, table.beyond_below, table.damage);
+}
+
 ExitCode run(const FatigueArguments& arguments) {
   const SceneText text = read_scene_text(arguments.scene);
   const SweepFile sweep = has_sweep(text) ? parse_sweep_file(text) : SweepFile{text}; // one case
@@ -53,17 +60,10 @@ ExitCode run(const FatigueArguments& arguments) {
                                              .append(record_of(table, arguments.properties)));
   if (!arguments.csv.empty())
     write_text(arguments.csv, write);
-  if (arguments.json) {
-    print_out("{}\n", record::to_json(headed(fatigue_format).append(record_of(table, arguments.properties))));
-    return success;
-  }
-  if (arguments.csv.empty() && arguments.output.empty())
+  if (!arguments.json && arguments.csv.empty() && arguments.output.empty())
     write(std::cout);
-  print_out("{}, {}: {} beyond the shakedown limit of the surface (FI_surf > 0), {} beyond that below the "
-            "surface alone\n",
-            counted(table.cases, "case", "cases"), counted(table.patches.size(), "patch", "patches"),
-            table.beyond_surface, table.beyond_below);
-  print_out("damage of one passage, mean over the collective: {:.4g}\n", table.damage);
+  print_answer(headed(fatigue_format).append(record_of(table, arguments.properties)), arguments.json,
+               summary_of(table));
   return success;
 }
 

@@ -7,6 +7,7 @@
 #include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/record/error_text.hpp"
 #include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/found.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/text.hpp"
 #include "bem_contact/sequence/quantities.hpp"
@@ -62,7 +63,7 @@ record::Record without_cases(const record::Record& sweep) {
 }
 
 std::string describe_record(const record::Record& file, const std::string& title) {
-  return title + "\n" + main_results(file) + record::to_text(file);
+  return title + "\n" + record::found_text(file) + main_results(file) + record::to_text(file);
 }
 
 std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes) {

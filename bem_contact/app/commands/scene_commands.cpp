@@ -1,6 +1,7 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/comparison_report.hpp"
 #include "bem_contact/app/output/output_names.hpp"
+#include "bem_contact/app/output/print_answer.hpp"
 #include "bem_contact/app/output/repeat.hpp"
 #include "bem_contact/app/output/report.hpp"
 #include "bem_contact/app/output/vtk_file.hpp"
@@ -106,9 +107,8 @@ record::Record repetition_record(const Repetition& repetition) {
           {"result", record_of(repetition.result, {.fields = false})}};
 }
 
-/// What --json prints of an answer.
-template <class Answer> std::string json_of(const char* format, const Answer& answer) {
-  return record::to_json(headed(format).append(record_of(answer, {.fields = false}))) + "\n";
+template <class Answer> void print(const char* format, const Answer& answer, bool json) {
+  print_answer(headed(format).append(record_of(answer, {.fields = false})), json, to_text(answer));
 }
 
 /// A result file in place of a scene.
@@ -146,7 +146,7 @@ ExitCode run_solve(const SceneArguments& arguments) {
     record::write_hdf5(arguments.output, result_file(result, given, arguments.output));
   if (!arguments.vtk.empty())
     write_vts(arguments.vtk, result);
-  print_out("{}", arguments.json ? json_of(result_format, result) : to_text(result));
+  print(result_format, result, arguments.json);
   warn(result.warnings);
   return verdict(result);
 }
@@ -192,7 +192,7 @@ ExitCode run_compare(const SceneArguments& arguments) {
   if (!arguments.vtk.empty())
     for (const SceneResult& result : comparison.leading())
       write_vts(surface_of(result.choice.model), result);
-  print_out("{}", arguments.json ? json_of(comparison_format, comparison) : to_text(comparison));
+  print(comparison_format, comparison, arguments.json);
   warn(warnings_of(comparison));
   if (!comparison.creep_forces.certified)
     spdlog::error(

@@ -1,11 +1,11 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/output_names.hpp"
+#include "bem_contact/app/output/print_answer.hpp"
 #include "bem_contact/app/output/repeat.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
-#include "bem_contact/record/json.hpp"
 #include "bem_contact/scene/sweep_check.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/sequence/sequence.hpp"
@@ -21,7 +21,6 @@
 #include <optional>
 #include <string>
 #include <thread>
-#include <type_traits>
 
 namespace bem_contact::app {
 
@@ -55,19 +54,27 @@ struct ShakedownArguments {
   }
 };
 
-void print(const shakedown::Shakedown& found, const shakedown::ShakedownProperties& properties) {
+std::string text_of(const shakedown::Shakedown& found, const shakedown::ShakedownProperties& properties) {
+  std::string out;
   for (std::size_t k = 0; k < found.patches.size(); ++k) {
     const shakedown::PatchShakedown& p = found.patches[k];
-    fmt::print("patch {} at s = {:.2f} mm, pmax {:.0f} MPa: {}\n", k + 1, p.s, p.pmax,
-               in_words(p, properties));
-    fmt::print("  Dang Van {:.1f} MPa {:.2f} mm deep (a = {:g}), Crossland {:.1f} MPa {:.2f} mm deep: {}\n",
-               p.dang_van.value, p.dang_van.depth, properties.dang_van_a, p.crossland.value,
-               p.crossland.depth, fatigue_in_words(p, properties));
+    out += fmt::format("patch {} at s = {:.2f} mm, pmax {:.0f} MPa: {}\n", k + 1, p.s, p.pmax,
+                       in_words(p, properties));
+    out += fmt::format(
+        "  Dang Van {:.1f} MPa {:.2f} mm deep (a = {:g}), Crossland {:.1f} MPa {:.2f} mm deep: {}\n",
+        p.dang_van.value, p.dang_van.depth, properties.dang_van_a, p.crossland.value, p.crossland.depth,
+        fatigue_in_words(p, properties));
   }
   if (found.patches.empty())
-    fmt::print("no contact that is large enough to tell\n");
+    out += "no contact that is large enough to tell\n";
   else if (found.too_small > 0)
-    fmt::print("{} more with fewer than four rows or columns of elements\n", found.too_small);
+    out += fmt::format("{} more with fewer than four rows or columns of elements\n", found.too_small);
+  return out;
+}
+
+/// What was found says all of a collective.
+std::string text_of(const shakedown::CollectiveShakedown&, const shakedown::ShakedownProperties&) {
+  return "";
 }
 
 Output output_of(const ShakedownArguments& arguments) {
@@ -80,12 +87,8 @@ void say(const Found& found, const shakedown::ShakedownProperties& properties,
          const ShakedownArguments& arguments, const std::function<record::Record()>& head) {
   if (!arguments.output.empty())
     record::write_hdf5(arguments.output, head().append(record_of(found, properties)));
-  if (arguments.json)
-    fmt::print("{}\n", record::to_json(headed(shakedown_format).append(record_of(found, properties))));
-  else if constexpr (std::is_same_v<Found, shakedown::Shakedown>)
-    print(found, properties);
-  else
-    fmt::print("{}\n", in_words(found, properties));
+  print_answer(headed(shakedown_format).append(record_of(found, properties)), arguments.json,
+               text_of(found, properties));
 }
 
 /// Of stresses that a file holds: of the real body where it has them.

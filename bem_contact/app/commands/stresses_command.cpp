@@ -1,11 +1,11 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/output_names.hpp"
+#include "bem_contact/app/output/print_answer.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/inside/stresses_inside.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
-#include "bem_contact/record/json.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 
 #include <CLI/CLI.hpp>
@@ -50,16 +50,18 @@ inside::StressesInside stresses_of(const StressesArguments& arguments) {
   return out;
 }
 
-void print(const inside::StressesInside& stresses) {
+std::string text_of(const inside::StressesInside& stresses) {
+  std::string out;
   for (std::size_t k = 0; k < stresses.areas.size(); ++k) {
     const inside::AreaStresses& area = stresses.areas[k];
-    fmt::print("{} {} of the {}: {}\n", area.section ? "patch" : "points", k + 1, name_of(stresses.side),
-               in_words(stresses, area));
+    out += fmt::format("{} {} of the {}: {}\n", area.section ? "patch" : "points", k + 1,
+                       name_of(stresses.side), in_words(stresses, area));
   }
   if (stresses.areas.empty())
-    fmt::print("no contact that is large enough to tell\n");
+    out += "no contact that is large enough to tell\n";
   else if (stresses.too_small > 0)
-    fmt::print("{} more with fewer than four rows or columns of elements\n", stresses.too_small);
+    out += fmt::format("{} more with fewer than four rows or columns of elements\n", stresses.too_small);
+  return out;
 }
 
 ExitCode run(const StressesArguments& a) {
@@ -74,10 +76,7 @@ ExitCode run(const StressesArguments& a) {
     write_text(a.csv, [&](std::ostream& out) { write_csv(out, stresses); });
   if (!a.vtu.empty())
     write_text(a.vtu, [&](std::ostream& out) { write_vtu(out, stresses); });
-  if (a.json)
-    fmt::print("{}\n", record::to_json(record()));
-  else
-    print(stresses);
+  print_answer(record(), a.json, text_of(stresses));
   return success;
 }
 

@@ -1,6 +1,7 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/number_list.hpp"
 #include "bem_contact/app/output/output_names.hpp"
+#include "bem_contact/app/output/print_answer.hpp"
 #include "bem_contact/app/sweep/numbers_by_children.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
@@ -9,7 +10,6 @@
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/record/file_kinds.hpp"
-#include "bem_contact/record/json.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/uses/table/creep_table.hpp"
 #include "bem_contact/uses/table/scene_table.hpp"
@@ -241,8 +241,7 @@ ExitCode run(TableArguments arguments) {
   }
   if (!arguments.text.empty())
     write_text(arguments.text, [&](std::ostream& out) { out << table::to_text(order.table); });
-  print_out("{}", arguments.json ? record::to_json(summary_of(order.table, seconds)) + "\n"
-                                 : words_of(order.table, seconds));
+  print_answer(summary_of(order.table, seconds), arguments.json, words_of(order.table, seconds));
   return success;
 }
 

@@ -1,15 +1,14 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/output_names.hpp"
+#include "bem_contact/app/output/print_answer.hpp"
 #include "bem_contact/app/output/report.hpp"
 #include "bem_contact/app/output/vtk_file.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/output_file.hpp"
-#include "bem_contact/base/printable.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/record/error_text.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
-#include "bem_contact/record/json.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/result_file.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
@@ -158,10 +157,8 @@ ExitCode run(const WheelsetArguments& arguments) {
   for (const WheelSide side : both_sides)
     if (!arguments.vtk.empty())
       write_vts(surface_of(arguments, side), result.state.solved(side));
-  print_out("{}",
-            arguments.json
-                ? record::to_json(headed(wheelset_format).append(record_of(result, {.fields = false}))) + "\n"
-                : wheelset_text(result));
+  print_answer(headed(wheelset_format).append(record_of(result, {.fields = false})), arguments.json,
+               wheelset_text(result));
   warn(result.warnings);
   return certified(result.state) ? success : no_convergence;
 }

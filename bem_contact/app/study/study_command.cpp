@@ -11,6 +11,7 @@
 #include "bem_contact/base/printable.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/record/error_text.hpp"
+#include "bem_contact/record/found.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/report/report_page.hpp"
 #include "bem_contact/uses/sweep/sweep_inputs.hpp"
@@ -197,7 +198,8 @@ ExitCode run_study(const StudyArguments& arguments) {
   if (drawn)
     warn(draw_inputs(study, where, said, headline));
   const std::filesystem::path file = made.take(study_file);
-  record::write_hdf5(file, study_record(given, file, results, headline));
+  const record::Record answer = study_record(given, file, results, headline);
+  record::write_hdf5(file, answer);
   made.done(study_file);
   const std::vector<std::string> tables = write_tables(made, results, headline);
   const bool has_page = write_page_of(file, made.take(study_page));
@@ -205,8 +207,8 @@ ExitCode run_study(const StudyArguments& arguments) {
   std::vector<std::string> kept = tables;
   kept.insert(kept.end(), {study_file, study_page});
   made.remove_others(kept); // of parts that the scene does not ask for any more
-  print_out("{}{}: {}study.h5, {}\n", headline_text(headline, drawn), arguments.folder.string(),
-            has_page ? "study.html, " : "", fmt::join(tables, ", "));
+  print_out("\n{}{}{}: {}study.h5, {}\n", record::found_text(answer), headline_text(headline, drawn),
+            arguments.folder.string(), has_page ? "study.html, " : "", fmt::join(tables, ", "));
   return static_cast<ExitCode>(worst_of(results));
 }
 

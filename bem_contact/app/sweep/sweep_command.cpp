@@ -11,6 +11,8 @@
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/found.hpp"
+#include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/scene/sweep_check.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
 #include "bem_contact/uses/sweep/sweep_inputs.hpp"
@@ -152,7 +154,7 @@ ExitCode say_what_was_found(const AskedSweep& asked, const SweepRequest& request
   if (!request.csv.empty())
     write_csv(csv_files(request.csv), asked.sweep, asked.columns(), file);
   const SweepSummary summary = sweep_summary(file, asked.sweep.size(), head);
-  print_out("{}", summary.text);
+  print_out("{}{}", record::found_text(record::read_hdf5_top(request.output, "patches")), summary.text);
   return summary.certified ? success : no_convergence;
 }
 

@@ -1,11 +1,10 @@
 #include "bem_contact/app/wear/one_contact.hpp"
 
 #include "bem_contact/app/output/output_names.hpp"
+#include "bem_contact/app/output/print_answer.hpp"
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/base/printable.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
-#include "bem_contact/record/json.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
@@ -84,11 +83,10 @@ ExitCode wear_of_one_contact(const OneContactWear& asked) {
   const std::vector<WornContact> all = worn_contacts(given.scene, law);
   if (!asked.output.empty())
     record::write_hdf5(asked.output, record_of_all(headed(contact_wear_format, given, asked.output), all));
-  if (asked.json)
-    print_out("{}\n", record::to_json(record_of_all(headed(contact_wear_format), all)));
-  else
-    for (const WornContact& w : all)
-      print_out("{}", text_of(w));
+  std::string text;
+  for (const WornContact& w : all)
+    text += text_of(w);
+  print_answer(record_of_all(headed(contact_wear_format), all), asked.json, text);
   return success;
 }
 

@@ -13,6 +13,7 @@
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/record/error_text.hpp"
+#include "bem_contact/record/found.hpp"
 #include "bem_contact/scene/settings.hpp"
 #include "bem_contact/scene/sweep_check.hpp"
 #include "bem_contact/uses/sweep/sweep_inputs.hpp"
@@ -198,6 +199,7 @@ ExitCode study(const WearArguments& arguments, const SceneText& scene) {
       });
   warn_of_smoothing(state.history);
   const int steps = state.step() - before;
+  print_out("{}", record::found_text(record_of(state, digest)));
   print_out("{}, {}, {}\n", counted(steps, "step", "steps"),
             counted(steps * study.cases.size(), "contact problem", "contact problems"),
             duration_text(watch.seconds()));

@@ -21,7 +21,8 @@ namespace {
 
 constexpr const char *table_file = "wear.csv", *state_file = "wear.h5";
 
-/// All of the state: the last row of the history has what WearState holds beside it.
+} // namespace
+
 record::Record record_of(const WearState& state, const std::string& digest) {
   record::Record out = headed(wear_format);
   out.add("digest", digest);
@@ -41,6 +42,8 @@ record::Record record_of(const WearState& state, const std::string& digest) {
   body("wheel", state.pair.wheel);
   return out;
 }
+
+namespace {
 
 /// The numbers there. Throws InputError unless there are `count` (no count: one or more).
 std::span<const double> stored_values(const record::Record& stored, const std::string& name,

@@ -20,6 +20,9 @@ struct WearState {
   int step() const { return static_cast<int>(history.size()) - 1; } ///< the last one; -1: none
 };
 
+/// All of the state: the last row of the history has what WearState holds beside it. `digest`: of the scene.
+record::Record record_of(const WearState& state, const std::string& digest);
+
 /// The name under which wear lists what it has written (base/output_folder.hpp).
 inline constexpr const char* wear_maker = "wear";
 

@@ -37,6 +37,7 @@ class Result(_Numbers):
     conformity: Final[dict[str, Any] | None]
     x: Final[_Array]
     # Trust.
+    found: Final[list[str]]
     model: Final[str]
     why_this_model: Final[str]
     why_not_certified: Final[str]

@@ -3,7 +3,8 @@
 from html import escape
 from math import isnan
 
-_MAIN = ("pmax", "area", "Fx", "Fy", "Fz", "Mz", "T_gamma", "lateral", "xi", "patch_count")
+from .plotting.shared import VIEWS
+
 _MOST_ROWS = 20  # of a sweep
 
 
@@ -21,9 +22,9 @@ def _table(head, rows):
 def result_html(result):
     """The main numbers with their errors, and what to know before they are used."""
     rows = []
-    for name in _MAIN:
+    for name in VIEWS["result"]["main"]:
         value, error = getattr(result, name, None), getattr(result, f"{name}_error", None)
-        if value is not None:
+        if value is not None and not isnan(value):
             rows.append((name, value, "" if error is None else f"± {error:.2g}", result.units.get(name, "")))
     state = "Certified" if result.certified else f"NOT certified: {result.why_not_certified}"
     return (f"<p>{escape(state)}. Model: {escape(result.model)}.</p>" + _table(("", "value", "error", "unit"), rows)
@@ -32,7 +33,7 @@ def result_html(result):
 
 def sweep_html(sweep):
     """The keys swept over and the main numbers of the first cases."""
-    names = [name for name in sweep if "." in name] + ["status"] + [name for name in _MAIN if name in sweep]
+    names = [name for name in sweep if "." in name] + ["status"] + [name for name in VIEWS["sweep"]["columns"] + ["T_gamma"] if name in sweep]
     count = len(sweep["status"])
     rows = [[i] + [sweep[name][i] if isinstance(sweep[name][i], str) else float(sweep[name][i]) for name in names] for i in range(min(count, _MOST_ROWS))]
     more = f"<p>{count - _MOST_ROWS} more cases; to_frame() has all.</p>" if count > _MOST_ROWS else ""

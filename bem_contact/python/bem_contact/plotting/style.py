@@ -1,9 +1,7 @@
 """What all pictures share. One colour has one meaning, the same as on the pages of `bem_contact report`; line styles and
 marks say the same without colours. Numbers have names that people read, not those of the files."""
 
-import json
 import math
-from pathlib import Path
 
 import matplotlib
 import numpy as np
@@ -13,6 +11,8 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 from matplotlib.ticker import MaxNLocator
 from matplotlib.transforms import ScaledTranslation
+
+from .shared import SHARED, WORDS
 
 INK, GRID, FRAME, OUTSIDE = "#1c2733", "#e3e7eb", "#8a97a5", "#f6f7f9"
 RAIL, WHEEL = "#5b6f82", "#b4533c"
@@ -35,10 +35,6 @@ class Models(dict):
         """The models that are found, in this order, and others behind."""
         return [*(m for m in self if m in found), *(m for m in found if m not in self)]
 
-# With the pages: they lie beside an installed package, and in the room record of the source tree.
-SHARED = json.loads(next(folder / "words.json" for folder in (Path(__file__).parent, Path(__file__).parents[3] / "record")
-                         if (folder / "words.json").exists()).read_text())
-WORDS = SHARED["words"]  # of the names in the files; a name that is not there stands as it is
 LINES = {"fem": "-", "tangent_plane": "--", "halfspace": ":", "hertz": "-.", "simplified": (0, (5, 1, 1, 1))}
 MODELS = Models({name: (words["title"], words["short"], LINES.get(name, "-")) for name, words in SHARED["models"].items()})
 BELOW_LABEL = 42  # points

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "bem_contact/record/record.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bem_contact::record {
+
+/// What an answer says before any table. Text, JSON, Python and pages take it from here, so that they say the
+/// same.
+struct Found {
+  std::vector<std::string>
+      sentences;                 ///< what was found, with numbers and their errors; the most important first
+  std::vector<std::string> next; ///< what may be asked next, a question and its command each
+};
+
+/// Of an answer with a "format" (file_kinds.hpp). Empty for what has no answer in words, such as influence
+/// functions.
+Found found_in(const Record& answer);
+/// Of an answer without one. `kind`: as FileKind::page has it, "result".
+Found found_in(const Record& answer, std::string_view kind);
+
+/// The answer with its sentences in front, as "found" and "next".
+Record with_found(Record answer);
+/// The sentences as lines of text; "" where there are none.
+std::string found_text(const Record& answer);
+
+} // namespace bem_contact::record

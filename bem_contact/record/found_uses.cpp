@@ -1,0 +1,322 @@
+#include "bem_contact/base/counted.hpp"
+#include "bem_contact/record/error_text.hpp"
+#include "bem_contact/record/found_parts.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <iterator>
+
+/// What is found in what follows from contacts.
+namespace bem_contact::record {
+
+namespace {
+
+/// mm, the amplitude of EN 15302.
+constexpr double rated_by_standard = 3;
+
+double count_at(const Record& r, const char* name) {
+  return number_at(r, name).value_or(0);
+}
+
+std::string four_digits(double value) {
+  return rounded(value, std::nan(""));
+}
+
+/// "21 of 22 cases are certified; 1 was refused."
+std::string cases_text(const Record& r) {
+  const auto cases = std::ptrdiff_t(values_at(r, "status").size());
+  std::string out = fmt::format("{} of {} certified", count_at(r, "certified_count"),
+                                counted(cases, "case is", "cases are"));
+  for (const auto& [name, words] : {std::pair{"not_certified_count", "not certified"},
+                                    {"refused_count", "refused"},
+                                    {"died_count", "died"},
+                                    {"failed_count", "failed"},
+                                    {"missing_count", "missing"}})
+    if (const double count = count_at(r, name); count > 0)
+      out += fmt::format("; {}: {}", words, count);
+  return out + ".";
+}
+
+/// "position.lateral 5 mm (case 3)": keys that were swept over have a dot. Of more than two only the case's
+/// number.
+std::string case_text(const Record& r, std::size_t at) {
+  constexpr int most_keys = 2;
+  std::string out;
+  int keys = 0;
+  for (const Entry& entry : r.entries())
+    if (const auto* field = std::get_if<Field>(&entry.content);
+        field && entry.name.find('.') != std::string::npos && at < field->values.size() &&
+        ++keys <= most_keys)
+      out += fmt::format("{}{} {}", out.empty() ? "" : ", ", entry.name,
+                         text_of({field->values[at], std::nan(""), field->unit}));
+  return keys == 0 || keys > most_keys ? fmt::format("case {}", at) : fmt::format("{} (case {})", out, at);
+}
+
+/// From the smallest to the largest of a column, and where it is largest.
+std::string range_text(const Record& r, const char* path, const std::string& words) {
+  const auto least = smallest_of(r, path), most = largest_of(r, path);
+  if (!least || !most)
+    return "";
+  return fmt::format("{} goes from {} to {}, at {}.", words, text_of(*stated_at(r, path, *least)),
+                     text_of(*stated_at(r, path, *most)), case_text(r, *most));
+}
+
+/// What is worn off by one contact: `of` "The right wheel" ...
+std::string rates_text(const Record& rates, const std::string& side) {
+  return fmt::format(
+      "At its deepest place the {}wheel loses {} by kilometre, and its rail {} by a million gross tonnes.",
+      side.empty() ? "" : side + " ", said(rates, "wheel_depth_per_km"), said(rates, "rail_depth_per_mgt"));
+}
+
+/// Whether and where cracks begin, after the shakedown diagram.
+std::string cracks_text(const Record& r) {
+  const double surface = count_at(r, "beyond_surface_limit"), below = count_at(r, "beyond_limit_below");
+  const auto all = std::ptrdiff_t(values_at(r, "patches/p0_over_k").size());
+  if (surface == 0 && below == 0)
+    return fmt::format("Cracks: none by shakedown. {} below both limits.",
+                       all == 1 ? "The patch is" : fmt::format("All {} patches are", all));
+  std::string why;
+  if (surface > 0)
+    why = fmt::format(
+        "{} of {} beyond the shakedown limit of the surface (mu used less k/p0 is {} at most, 0 is "
+        "the limit)",
+        surface, counted(all, "patch is", "patches are"),
+        text_of(*stated_at(r, "patches/FI_surf", *largest_of(r, "patches/FI_surf"))));
+  if (below > 0)
+    why += fmt::format("{}{} beyond the limit below it", why.empty() ? "" : ", and ",
+                       counted(std::ptrdiff_t(below), surface > 0 ? "other is" : "patch is",
+                               surface > 0 ? "others are" : "patches are"));
+  return fmt::format("Cracks: yes. {}: the steel flows there with every passage.", why);
+}
+
+std::string damage_text(const Record& r) {
+  const double damage = count_at(r, "damage");
+  if (damage > 0)
+    return fmt::format("By T-gamma one passage does a damage of {}: a crack begins after {} passages.",
+                       four_digits(damage), four_digits(1 / damage));
+  const auto most = largest_of(r, "patches/T_gamma");
+  return fmt::format(
+      "By T-gamma ({} at most) cracks do not grow: it is too small for them, or wear is faster.",
+      most ? text_of(*stated_at(r, "patches/T_gamma", *most)) : "none");
+}
+
+std::string as_sentence(std::string words) {
+  words.front() = char(std::toupper(static_cast<unsigned char>(words.front())));
+  return words + ".";
+}
+
+/// How many sentences a study takes of a part: the first ones.
+struct PartOfStudy {
+  const char* name;
+  std::size_t sentences;
+};
+constexpr PartOfStudy parts_of_study[] = {
+    {"wheelset", 2}, {"solve", 2},   {"fatigue", 1}, {"shakedown", 1},    {"wear", 1},
+    {"conicity", 1}, {"compare", 1}, {"sweep", 2},   {"creep_curves", 1}, {"table", 1}};
+constexpr std::size_t most_of_study = 5; // sentences, besides those about parts that failed
+
+} // namespace
+
+Found of_sweep(const Record& r) {
+  Found found{{cases_text(r)}, {}};
+  if (has(r, "right_pmax")) {
+    add_if(found.sentences, range_text(r, "right_pmax", "The largest pressure of the right wheel"));
+    add_if(found.sentences, range_text(r, "left_pmax", "That of the left wheel"));
+    add_if(found.sentences,
+           range_text(r, "right_T_gamma", "The work of friction (T-gamma) of the right wheel"));
+    add_if(found.sentences, range_text(r, "left_T_gamma", "That of the left wheel"));
+  } else {
+    add_if(found.sentences, range_text(r, "pmax", "The largest pressure"));
+    add_if(found.sentences, range_text(r, "T_gamma", "The work of friction (T-gamma)"));
+    add_if(found.sentences, range_text(r, "Fy", "The lateral force Fy"));
+  }
+  found.next = {question(r, "Do cracks begin under these loads?", "fatigue"),
+                question(r, "What becomes of the profiles?", "wear")};
+  return found;
+}
+
+Found of_creep_curves(const Record& r) {
+  Found found{{fmt::format("With {} down, friction can carry {} at most.", said(r, "Fz"), said(r, "bound"))},
+              {}};
+  constexpr double small = 1e-3; // creepage: a tenth of a per cent
+  const auto slope = [&](const char* matrix, std::size_t at) {
+    const auto found_slope = stated_at(r, matrix, at);
+    return found_slope ? rounded(small * found_slope->value, small * found_slope->error) + " N"
+                       : std::string("-");
+  };
+  found.sentences.push_back(fmt::format("Where nothing slides yet, 0.1 % of longitudinal creepage changes Fx "
+                                        "by {}, and 0.1 % of lateral creepage Fs by {}.",
+                                        slope("slopes", 0), slope("slopes", 4)));
+  found.sentences.push_back(fmt::format("At the scene's own creepages they do it by {} and {}.",
+                                        slope("sensitivities", 0), slope("sensitivities", 4)));
+  if (!flag_at(r, "certified").value_or(true))
+    found.sentences.insert(found.sentences.begin(), "Not all points are solutions: do not use those.");
+  found.next = {question(r, "How does a vehicle model look forces up?", "table"),
+                question(r, "Which part of the load does each wheel bear?", "wheelset")};
+  return found;
+}
+
+Found of_conicity(const Record& r) {
+  const std::span<const double> amplitude = values_at(r, "conicity/amplitude");
+  Found found;
+  const auto at =
+      std::ranges::find_if(amplitude, [](double a) { return std::abs(a - rated_by_standard) < 1e-9; });
+  const auto tan_gamma = stated_at(r, "conicity/tan_gamma", std::size_t(at - amplitude.begin()));
+  if (tan_gamma) {
+    const double metres = 1e-3 * values_at(r, "conicity/wavelength")[std::size_t(at - amplitude.begin())];
+    found.sentences.push_back(
+        fmt::format("The equivalent conicity at 3 mm is {:.3f} (EN 15302): the wheelset swings "
+                    "with a wavelength of {:.1f} m.",
+                    tan_gamma->value, metres));
+  } else
+    found.sentences.emplace_back(
+        "No motion has the amplitude of 3 mm at which EN 15302 asks for the conicity.");
+  if (const auto slope = stated_at(r, "nonlinearity"))
+    found.sentences.push_back(fmt::format("It {} with the amplitude (nonlinearity {}).",
+                                          slope->value < 0 ? "falls" : "grows", text_of(*slope)));
+  if (const std::string play = said(r, "play"); !play.empty())
+    found.sentences.push_back(fmt::format("The play between the flanges and the rails is {}.", play));
+  found.next = {question(r, "Where does it stand in a curve, and what does each wheel bear?", "wheelset")};
+  return found;
+}
+
+Found of_conicity_map(const Record& r) {
+  const auto count = std::ptrdiff_t(values_at(r, "map/tan_gamma").size());
+  Found found{{counted(count, "wheelset was", "wheelsets were") + " looked at."}, {}};
+  const auto least = smallest_of(r, "map/tan_gamma"), most = largest_of(r, "map/tan_gamma");
+  if (least && most)
+    found.sentences.push_back(fmt::format("Their equivalent conicity at {} goes from {:.3f} to {:.3f}.",
+                                          said(r, "amplitude"), values_at(r, "map/tan_gamma")[*least],
+                                          values_at(r, "map/tan_gamma")[*most]));
+  if (const auto play = smallest_of(r, "map/play"))
+    found.sentences.push_back(
+        fmt::format("The least play is {}.", text_of(*stated_at(r, "map/play", *play))));
+  if (const auto spread = largest_of(r, "map/tan_gamma_spread"))
+    found.sentences.push_back(
+        fmt::format("The scatter of the profiles moves it by {:.3f} at most (standard deviation).",
+                    values_at(r, "map/tan_gamma_spread")[*spread]));
+  return found;
+}
+
+Found of_table(const Record& r) {
+  Found found{{fmt::format("The table has {} points, for which {} contacts were solved.",
+                           count_at(r, "points"), count_at(r, "solved"))},
+              {}};
+  const Record& columns = part(r, "columns"); // of JSON; files have a group for each kind of error
+  double worst = 0;
+  std::string of;
+  for (const Entry& entry : (columns.empty() ? part(r, "scale") : columns).entries()) {
+    const auto number = [&](const char* kind) {
+      return columns.empty() ? number_at(r, fmt::format("{}/{}", kind, entry.name))
+                             : number_at(columns, fmt::format("{}/{}", entry.name, kind));
+    };
+    const double error = number("interpolation_error").value_or(0), scale = number("scale").value_or(0);
+    if (error > worst * scale) {
+      worst = error / scale;
+      of = entry.name;
+    }
+  }
+  if (!of.empty())
+    found.sentences.push_back(fmt::format(
+        "Between them it is at most {:.1f} % of a column's scale off a solution (of {}).", 100 * worst, of));
+  found.sentences.push_back(fmt::format("{:.3g} % was asked for.", 100 * count_at(r, "tolerance")));
+  found.next = {"How is it read? data/tutorial/table.md says it for C, Fortran, Python and Matlab."};
+  return found;
+}
+
+Found of_wear(const Record& r) {
+  const std::span<const double> mileage = values_at(r, "mileage");
+  if (mileage.empty())
+    return {};
+  const std::size_t last = mileage.size() - 1;
+  const auto at = [&](const char* name) {
+    const auto number = stated_at(r, name, last);
+    return number ? text_of(*number) : std::string("nothing");
+  };
+  Found found{{fmt::format("After {} the rail has lost {} at its deepest place, and the wheel {}.",
+                           at("mileage"), at("rail_depth"), at("wheel_depth")),
+               fmt::format("{} of the rail's section are gone, and {} of the wheel's.", at("rail_area"),
+                           at("wheel_area")),
+               fmt::format("This was computed in {}.", counted(std::ptrdiff_t(last), "step", "steps"))},
+              {}};
+  found.next = {"Where do the worn profiles touch? Give rail_NNNN.txt and wheel_NNNN.txt to bem_contact new "
+                "or profile."};
+  return found;
+}
+
+Found of_contact_wear(const Record& r) {
+  Found found;
+  if (has(r, "wheel_depth_per_km"))
+    found.sentences.push_back(rates_text(r, ""));
+  for (const char* side : {"right", "left"})
+    if (has(r, side))
+      found.sentences.push_back(rates_text(part(r, side), side));
+  found.sentences.emplace_back("That is the rate of these profiles: as they wear, it changes.");
+  found.next = {question(r, "What becomes of the profiles? (add [sweep])", "wear")};
+  return found;
+}
+
+Found of_fatigue(const Record& r) {
+  Found found{{cracks_text(r), damage_text(r)}, {}};
+  if (const auto most = largest_of(r, "patches/von_mises"))
+    found.sentences.push_back(fmt::format("The largest von Mises stress is {}, {} deep; k is {}.",
+                                          text_of(*stated_at(r, "patches/von_mises", *most)),
+                                          text_of(*stated_at(r, "patches/von_mises_depth", *most)),
+                                          said(r, "yield_shear")));
+  found.next = {question(r, "Does the steel below yield never, once or for ever?", "shakedown"),
+                question(r, "What wears away?", "wear")};
+  return found;
+}
+
+Found of_shakedown(const Record& r) {
+  Found found;
+  if (const auto words = text_at(r, "in_words"))
+    found.sentences.push_back(has(r, "cases") ? as_sentence(*words) : fmt::format("The steel {}.", *words));
+  else
+    found.sentences.emplace_back("No patch has enough elements to tell whether the steel yields.");
+  for (const auto& [path, name] :
+       {std::pair{"patches/dang_van", "Dang Van"}, {"patches/crossland", "Crossland"}})
+    if (const auto most = largest_of(r, path))
+      found.sentences.push_back(fmt::format("The largest stress of {} is {}, {} deep.", name,
+                                            text_of(*stated_at(r, path, *most)),
+                                            text_of(*stated_at(r, std::string(path) + "_depth", *most))));
+  found.next = {question(r, "Do cracks begin at the surface?", "fatigue")};
+  return found;
+}
+
+Found of_stresses(const Record& r) {
+  const auto words = text_at(r, "in_words");
+  return {{words ? as_sentence(*words) : "No patch has enough elements to tell its stresses."},
+          {"Does the steel yield never, once or for ever? bem_contact shakedown STRESSES.h5"}};
+}
+
+Found of_study(const Record& r) {
+  Found found;
+  const Record& parts = part(r, "parts");
+  for (const Entry& entry : parts.entries()) {
+    const Record& one = part(parts, entry.name);
+    const std::span<const double> code = values_at(one, "study_code");
+    if (number_at(one, "study_code").value_or(code.empty() ? 0 : code[0]) != 0)
+      found.sentences.push_back(fmt::format("{} is {}: its part below says why.",
+                                            text_at(one, "study_title").value_or(entry.name),
+                                            text_at(one, "study_status").value_or("missing")));
+  }
+  const std::size_t failed = found.sentences.size();
+  for (const auto& [name, count] : parts_of_study) {
+    const Found of = found_in(part(parts, name));
+    for (std::size_t i = 0; i < std::min(count, of.sentences.size()); ++i)
+      if (found.sentences.size() < failed + most_of_study)
+        found.sentences.push_back(of.sentences[i]);
+  }
+  if (failed > 0)
+    found.next.push_back(question(r, "Is the scene what I mean?", "check"));
+  found.next.emplace_back(
+      "What does the scatter of the inputs do to these numbers? Add [uncertainty] to the scene.");
+  found.next.push_back(question(r, "What if I move something?", "explore"));
+  return found;
+}
+
+} // namespace bem_contact::record

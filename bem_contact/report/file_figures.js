@@ -1,0 +1,79 @@
+// Figures of profiles, influence files and meshes.
+/// Profiles over y, the first in front: their heights, or their curvatures.
+const profilesFigure = (profiles, what) => {
+  const first = profiles[0], heights = what === "z", sizes = first.curvature.map(Math.abs).sort((a, b) => a - b);
+  const most = 1.3 * sizes[Math.floor(0.99 * (sizes.length - 1))] + 1e-4; // a kink does not flatten all else
+  const looks =
+      [{color: INK, width: 2.2}, {color: BOUND, width: 1.5, dash: "dash"}, {color: WHEEL, width: 1.5, dash: "dot"}];
+  const traces =
+      profiles.map((p, k) => ({type: "scatter", mode: "lines", x: p.y, y: p[what], name: p.name, line: looks[k]}))
+          .reverse();
+  return {traces, height: heights ? 420 : 340,
+          layout: {xaxis: {title: "y, mm, to the field side"}, legend: {...ABOVE, traceorder: "reversed"},
+                   yaxis: heights ? {title: "z down, mm", autorange: "reversed", scaleanchor: "x"}
+                                  : {title: "curvature, 1/mm", range: [-most, most]}}};
+};
+
+/// The strip of an influence file in its section.
+const stripFigure = (stations, colour) => ({
+  height: 360,
+  traces: [{
+    type: "scatter",
+    mode: "lines+markers",
+    x: stations.map(p => p[1]),
+    y: stations.map(p => p[2]),
+    text: stations.map(p => `s ${p[0].toFixed(2)} mm`),
+    line: {color: colour, width: 2},
+    marker: {color: colour, size: 5}
+  }],
+  layout: {
+    xaxis: {title: "y, mm"},
+    yaxis: {title: "z down, mm", autorange: "reversed", scaleanchor: "x"},
+    showlegend: false
+  }
+});
+
+/// The smallest scaled Jacobian of each quadrilateral: the sine of a corner's angle, the worst corner.
+const jacobiansOf = (points, quads) => quads.map(quad => {
+  const sines = quad.map((at, k) => {
+    const [y, z] = points[at], side = to => [points[to][0] - y, points[to][1] - z],
+              [a, b] = [side(quad[(k + 1) % 4]), side(quad[(k + 3) % 4])];
+    return (a[0] * b[1] - a[1] * b[0]) / (Math.hypot(...a) * Math.hypot(...b));
+  });
+  return Math.sign(sines.reduce((sum, sine) => sum + sine, 0)) > 0 ? Math.min(...sines) : -Math.max(...sines);
+});
+
+/// A meshed section: elements in thin lines, the strip and the held part in bold ones. `near`: the strip alone.
+const meshFigure = (data, near) => {
+  const points = rows(data.points), lines = groups => ({
+                                      x: groups.flatMap(g => [...g.map(k => points[k][0]), null]),
+                                      y: groups.flatMap(g => [...g.map(k => points[k][1]), null])
+                                    });
+  const style = {
+    contact: [PRESSURE[1][1], "strip: unit tractions act here"],
+    held: [ADHESION, "held: no displacement"]
+  };
+  const traces = [{
+    type: "scatter",
+    mode: "lines",
+    ...lines(rows(data.quads).map(q => [...q, q[0]])),
+    name: "elements",
+    line: {color: RAIL_FACE, width: 0.7},
+    hoverinfo: "skip"
+  }];
+  for (const [name, [color, title]] of Object.entries(style))
+    if (data.edges[name])
+      traces.push(
+          {type: "scatter", mode: "lines", ...lines(rows(data.edges[name])), name: title, line: {color, width: 3.5}});
+  const strip = near && data.edges.contact ? rows(data.edges.contact).flat().map(k => points[k]) : points;
+  const range = k => [Math.min(...strip.map(p => p[k])) - 3, Math.max(...strip.map(p => p[k])) + 3];
+  return {
+    traces,
+    height: 520,
+    layout: {
+      xaxis: {title: "y, mm", range: range(0), constrain: "domain"},
+      legend: ABOVE,
+      yaxis: {title: "z down, mm", range: range(1).reverse(), scaleanchor: "x", constrain: "domain"}
+    }
+  };
+};

@@ -1,0 +1,329 @@
+// Pages of what follows from contacts.
+/// Some columns of a table, a line each row.
+const addColumns = (table, names, caption, id, more = {}) => {
+  const there = names.filter(name => table[name]);
+  addTable(
+      caption, there.map(name => withUnit(name.replaceAll("_", " "), table[name])),
+      table[there[0]].values.map(
+          (_, i) =>
+              there.map(name => more[name]?.(i) ?? number(table[name].values[i], table[`${name}_error`]?.values[i]))),
+      {id, wide: there.length > 6});
+};
+
+/// [name, words, text] of the largest number of a column.
+const largest = (table, name, title) =>
+  [name, title, `${number(largestOf(table[name].values))} ${unitText(table[name].unit.replace(/^1$/, ""))}`];
+/// The same of a single number.
+const single = (name, title = words(name).replaceAll("_", " "), group = data) =>
+  [name, title, `${valueText(group, name)} ${unitText(group[name].unit.replace(/^1$/, ""))}`];
+
+/// Where a click on a mark of a sweep shows the patch of its case. Undefined where the page has no fields.
+const addCaseView = () => {
+  const own = data; // of a study, the part that is added now
+  const cases = Object.fromEntries(
+      Object.entries(own.cases ?? {}).filter(([, one]) => one.p_n).map(([name, one]) => [Number(name), one]));
+  if (!Object.keys(cases).length)
+    return undefined;
+  const block = add("div", "", into, {id: `${idPrefix}case`, className: "screen-only"}),
+        frame = add("div", "", block, {id: `${idPrefix}case-patch`});
+  add("div", "", frame, {className: "drawing"});
+  const line = add("p", "A click on a mark shows the patch of its case here.", block, {className: "caption"});
+  return async index => {
+    if (!cases[index])
+      return void (line.textContent = `Case ${index} has no patch.`);
+    const contact = contactOf(cases[index].attributes.model, cases[index]), figure = patchFigure(contact);
+    const where =
+        sweptKeys(own)
+            .map(
+                key => `${words(key)} ${keyText(own[key], index)} ${unitText(own[key].unit.replace(/^1$/, ""))}`.trim())
+            .join(", ");
+    line.textContent = `Case ${index}: ${where}; ${titleOf(contact.name).toLowerCase()}, largest pressure ` +
+        `${number(own.pmax?.values[index], own.pmax_error?.values[index])} MPa.` +
+        (figure ? "" : " Nothing is in contact.");
+    frame.className = figure ? "figure" : "";
+    frame.hidden = !figure;
+    if (figure)
+      await draw([frame, figure]);
+  };
+};
+
+const variedKeys = () => sweptKeys(data).filter(k => new Set(data[k].values).size > 1);
+const ofWheelsets = () => "right_share" in data;
+const sweepViews = () => VIEWS[ofWheelsets() ? "sweep of wheelsets" : "sweep"];
+/// Both wheels' columns of a name; itself where both have one.
+const ofWheels = name => name in data ? [name] : [`right_${name}`, `left_${name}`];
+let showCase; // of the sweep that is added
+
+const sweepFigures = () => {
+  const keys = variedKeys(), key = leadingKey(data, keys), click = index => showCase?.(index), out = [];
+  if (!ofWheelsets() && data.patches?.y.values.some(y => y !== null))
+    out.push([
+      "patches-over-y",
+      "Where the patches lie on the rail: each bar is as wide as its patch; larger marks carry larger normal forces, " +
+          "darker ones larger pressures.",
+      {...patchesFigure(data, key), click}
+    ]);
+  for (const names of sweepViews()
+           .figures.filter(([name]) => key !== `position.${name}`)
+           .map(names => names.flatMap(ofWheels)))
+    if (names.every(name => name in data))
+      out.push([
+        `over-${names.join("-")}`,
+        `${[...new Set(names.map(ofEither))].map(words).join(" and ")} over the ${key ? words(key) : "cases"}.`,
+        {...sweepFigure(data, keys, key, names), click}
+      ]);
+  return out;
+};
+
+const SWEEP = {
+  picture: () => sweepFigures()[0],
+  figures: () => {
+    showCase = ofWheelsets() ? undefined : addCaseView();
+    for (const figure of sweepFigures().slice(1))
+      addFigure(...figure);
+  },
+  tables: () => {
+    const keys = variedKeys(), columns = sweepViews().columns.flatMap(ofWheels);
+    const cell = (name, i) => inDegrees(
+        number(data[name].values[i], data[`${name}_error`]?.values[i]), data[name].values[i], data[name].unit);
+    addTable(
+        "All cases",
+        [
+          "case", ...keys.map(k => withUnit(k, data[k]).replace(".", ".\u200b")),
+          ...columns.map(name => withUnit(name, data[name])), "status"
+        ],
+        data.status.values.map(
+            (state,
+             i) => [i, ...keys.map(k => keyText(data[k], i)), ...columns.map(name => cell(name, i)), OUTCOMES[state]]),
+        {id: "cases", wide: true});
+    for (const [name, one] of Object.entries(data.cases ?? {}))
+      if (one.attributes?.reason)
+        add("p", `Case ${Number(name)}: ${one.attributes.reason}`);
+  }};
+
+/// What was measured, point by point, beside what is computed there.
+const addMeasured = measured => {
+  if (!measured)
+    return;
+  const {points, attributes: {force, creepage}} = measured, unit = unitText(points.measured.unit),
+                                     column = name => points[name].values;
+  const share = i => Math.abs(column("measured")[i]) > 0
+      ? `${(100 * column("difference")[i] / Math.abs(column("measured")[i])).toFixed(1)} %`
+      : "–";
+  const scatter = points.scatter ? [`scatter, ${unit}`] : [];
+  add("h2", "Beside what was measured");
+  add("p",
+      `Over the ${words(creepage)}, ${force} as computed less ${force} as measured is ${
+          number(valueOf(measured, "mean_difference"))} ${unit} in the mean and ` +
+          `${number(valueOf(measured, "largest_difference"))} ${unit} at most` +
+          (points.scatter ? `; ${valueOf(measured, "within_scatter")} of ${
+                                column("creepage").length} points lie within the scatter of what was measured.`
+                          : "."));
+  addTable(
+      `${force} as measured and as computed`,
+      [creepage, `measured, ${unit}`, ...scatter, `computed, ${unit}`, "difference", "of the measured one"],
+      column("creepage")
+          .map(
+              (at, i) =>
+                  [number(at), number(column("measured")[i]), ...scatter.map(() => number(column("scatter")[i])),
+                   number(column("computed")[i], column("computed_error")[i]), number(column("difference")[i]),
+                   share(i)]),
+      {numbers: [0, 1, 2, 3, 4, 5], id: "measured"});
+};
+
+const CREEP_CAPTION = "; the other two creepages stay as in the scene. With little creepage a force grows along the " +
+  "straight line of linear theory, which takes the other two into account; with much of it the whole contact slips, " +
+  "and the force stays within the bound of friction.";
+const creepFigures = () => ["xi", "eta", "phi"].filter(which => data.curves?.[which]).map(which =>
+  [`curve-${which}`, `Forces over the ${words(which)}${CREEP_CAPTION}`, creepFigure(data, which)]);
+
+const CREEP_CURVES = {
+  picture: () => creepFigures()[0],
+  warnings: () => [["", {group: data}]],
+  figures: () => creepFigures().slice(1).forEach(one => addFigure(...one)),
+  tables: () => {
+    addMeasured(data.measured);
+    const matrix = (name, caption) =>
+        data[name] &&
+        addTable(
+            caption, ["", "d/dxi", "d/deta", "d/dphi"],
+            ["Fx", "Fs", "Mz"].map(
+                (force, row) =>
+                    [force,
+                     ...[0, 1, 2].map(
+                         k => number(data[name].values[3 * row + k], data[`${name}_error`]?.values[3 * row + k]))]),
+            {numbers: [1, 2, 3], id: name});
+    matrix("slopes", "Slopes where nothing moves over the other (N; Mz: N mm; by phi: times mm)");
+    matrix("kalker", "The same by Kalker's linear theory, for the nearest ellipse");
+    matrix("sensitivities", "Sensitivities at the scene's creepages");
+  }};
+
+/// Of rail and wheel, if their profiles lie beside the file; else how deep both are by and by.
+const wearFigures = () => {
+  const out = [];
+  for (const body of report.steps.length > 1 ? ["rail", "wheel"] : [])
+    if (data[`${body}_depth`].values.at(-1) > 0)
+      out.push([`worn-${body}`, `What is gone from the ${body}, by step.`, wornFigure(report.steps, data, body)], [
+        `film-${body}`, `The ${body} from step to step. On a screen: move the slider, or play.`,
+        filmFigure(report.steps, data, body)
+      ]);
+  return [...out, ["wear-depth", "Depth of the deepest place.", wearFigure(data, "depth", "mm")],
+          ["wear-area", "Area gone from the sections.", wearFigure(data, "area", "mm²")]];
+};
+const WEAR = {
+  picture: () => wearFigures()[0],
+  figures: () => wearFigures().slice(1).forEach(one => addFigure(...one)),
+  tables: () => addTable(
+      "By step", ["step", ...VIEWS.wear.columns.map(name => withUnit(name.replace("_", " "), data[name]))],
+      data.step.values.map((step, i) => [step, ...VIEWS.wear.columns.map(name => number(data[name].values[i]))]),
+      {id: "steps", wide: true})
+};
+
+const CONICITY = {
+  picture: () => ["tan-gamma", "Equivalent conicity over the amplitude.", conicityFigure(data)],
+  figures: () => {
+    addFigure("radius-difference", "Rolling radius difference.", radiusFigure(data));
+    for (const body of ["wheel", "rail"])
+      addFigure(
+          `touch-${body}`, `Where both wheels touch, on the ${body}; a gap is a jump of the contact.`,
+          touchFigure(data, body));
+  },
+  tables: () => {
+    const c = data.conicity, names = VIEWS.conicity.columns, isWhole = i => Math.abs(c.amplitude.values[i] % 1) < 1e-9;
+    addTable(
+        "Equivalent conicity (EN 15302); – where no motion has this amplitude",
+        names.map(name => withUnit(name.replace("_", " "), c[name])),
+        c.amplitude.values.map((_, i) => i)
+            .filter((i, _, all) => all.length <= 20 || isWhole(i))
+            .map(i => names.map(name => number(c[name].values[i]))),
+        {id: "conicities"});
+  }};
+
+const FATIGUE = {
+  picture: () =>
+      ["shakedown",
+       `Shakedown diagram, k = ${
+           number(valueOf(data, "yield_shear"))} MPa. Above a limit the steel flows with every passage.`,
+       shakedownFigure(data)],
+  large: () => {
+    const p = data.patches;
+    addLarge([
+      single("damage", words("damage")), largest(p, "p0_over_k", "largest p0 / k"),
+      largest(p, "mu_used", "most friction used"), largest(p, "FI_surf", "largest FI_surf"),
+      largest(p, "von_mises", words("von_mises")), largest(p, "T_gamma", "largest T-gamma")
+    ]);
+  },
+  figures: () => addFigure(
+      "stress-depth", "Where the largest stress of each patch's case lies below the surface.",
+      marksFigure(data.patches, "von_mises_depth", "von_mises", RAIL)),
+  tables: () => addColumns(data.patches, VIEWS.fatigue.columns, "Patches", "fatigue-patches")
+};
+
+/// What the passages of a contact do to the steel below it.
+const limitsFigure = k => {
+  const at = Number(k) - 1,
+        place = {s: data.patches.shakedown_s.values[at], depth: data.patches.shakedown_depth.values[at]};
+  return [
+    `limits-${k}`,
+    `Patch ${
+        k}: how large the load may be before no residual stress keeps a point elastic (1: the load of the scene). ` +
+        "The cross is where the limit is decided.",
+    sectionMapFigure(data.sections[k], "cycle", "load factor", place, 6)
+  ];
+};
+const envelopeFigure = () => {
+  const place = {s: valueOf(data, "dang_van_s"), depth: valueOf(data, "dang_van_depth")};
+  return ["envelope", "Largest stress of Dang Van of all cases. The cross is where it is largest.",
+          sectionMapFigure(data.envelope, "dang_van", "MPa", place)];
+};
+const sectionsOf = () => Object.entries(data.sections ?? {}); // none of a load collective
+const SHAKEDOWN = {
+  picture: () => data.envelope ? envelopeFigure() : sectionsOf().slice(0, 1).map(([k]) => limitsFigure(k))[0],
+  large: () => {
+    const p = data.patches, least = name => number(Math.min(...p[name].values));
+    addLarge([
+      ["shakedown", "shakedown factor, at least", least("shakedown")],
+      ["shakedown_upper", "at most", least("shakedown_upper")],
+      ["first_yield", "first yield, load factor", least("first_yield")],
+      largest(p, "dang_van", "largest stress of Dang Van"), largest(p, "crossland", "largest stress of Crossland"),
+      single("yield_shear", "yield stress in shear, k")
+    ]);
+  },
+  figures: () => {
+    if (data.envelope && valueOf(data, "damage") > 0)
+      addFigure("damage", "Damage of one passage, mean over the collective.",
+                sectionMapFigure(data.envelope, "damage", "",
+                                 {s: valueOf(data, "damage_s"), depth: valueOf(data, "damage_depth")}));
+    sectionsOf().forEach(([k, section], at) => {
+      if (at > 0)
+        addFigure(...limitsFigure(k));
+      for (const [name, title] of [
+               ["dang_van", "Dang Van, MPa"],
+               ["residual_xx", "residual stress along the track at that limit, its deviator, MPa"]])
+        addFigure(`${name}-${k}`, `Patch ${k}: ${title}.`, sectionMapFigure(section, name, "MPa", null));
+    });
+  },
+  tables: () => {
+    for (const [k, section] of sectionsOf())
+      add("p", `Patch ${k}: the steel ${section.attributes.in_words}.`, into, {id: `${idPrefix}shakedown-words-${k}`});
+    addColumns(data.patches, VIEWS.shakedown.columns, "Patches", "shakedown-patches");
+  }};
+
+/// Stresses inside a body while a contact passes.
+const mapsOfStresses = () => sectionsOf().filter(([, section]) => section.von_mises.shape.length === 2);
+const stressMap = ([k, section]) => {
+  const at = Number(k) - 1, p = data.patches,
+        place = {s: p.von_mises_s.values[at], depth: p.von_mises_depth.values[at]};
+  return [
+    `von_mises-${k}`, `Patch ${k}: largest stress of von Mises while it passes. The cross is where it is largest.`,
+    sectionMapFigure(section, "von_mises", "MPa", place)
+  ];
+};
+const STRESSES = {
+  picture: () => mapsOfStresses().slice(0, 1).map(stressMap)[0],
+  large: () => {
+    const p = data.patches, change = p.von_mises_change.values[0];
+    const text = (name, unit) => `${number(p[name].values[0], p[`${name}_error`]?.values[0])} ${unit}`;
+    addLarge([
+      ["von_mises", words("von_mises"), text("von_mises", "MPa")],
+      ["depth", "its depth", text("von_mises_depth", "mm")],
+      ["largest_shear", "largest shear stress", text("largest_shear", "MPa")],
+      ["shear-depth", "its depth", text("largest_shear_depth", "mm")],
+      ["mean", "hydrostatic stress there", text("mean_stress", "MPa")],
+      change === null ? ["pmax", words("pmax"), text("pmax", "MPa")]
+                      : ["change", "more than a half-space", `${number(Number((100 * change).toFixed(1)))} %`]
+    ]);
+  },
+  figures: () => mapsOfStresses().forEach((one, first) => {
+    const [k, section] = one, s = section.s.values, place = data.patches.von_mises_s.values[Number(k) - 1];
+    const nearest = s.reduce((best, value, i) => Math.abs(value - place) < Math.abs(s[best] - place) ? i : best, 0);
+    if (first > 0)
+      addFigure(...stressMap(one));
+    addFigure(`depth-${k}`, `Patch ${k}: largest stresses over the depth, below s = ${number(s[nearest])} mm.`,
+              depthFigure(section, nearest, [["von_mises", "von Mises"], ["largest_shear", "largest shear"]]));
+  }),
+  tables: () => addColumns(data.patches, VIEWS.stresses.columns, "Patches", "stresses-patches")};
+
+const CONICITY_MAP = {
+  picture: () =>
+      ["map",
+       "Equivalent conicity" +
+           (data.map.tan_gamma_spread ? "; bars: its standard deviation by the scatter of the profiles" : "") + ".",
+       mapFigure(data)],
+  large: () => {
+    const {map} = data,
+          least = name => number(known(map[name].values).length ? Math.min(...known(map[name].values)) : null);
+    addLarge([
+      ["pairs", "wheelsets", String(map.gauge.values.length)], ["least", "least tan γ", least("tan_gamma")],
+      largest(map, "tan_gamma", "largest tan γ"), ["play", "least play", `${least("play")} mm`],
+      largest(map, "nonlinearity", "largest nonlinearity"),
+      map.tan_gamma_spread ? largest(map, "tan_gamma_spread", "largest spread of tan γ")
+                           : largest(map, "rail_travel", "largest travel on the rail")
+    ]);
+  },
+  tables: () => {
+    const {map} = data, names = ["wheels", "rails"].map(name => linesOf(data[name]).map(shortName));
+    addColumns(map, VIEWS["conicity map"].columns, "All wheelsets; – where no motion has this amplitude",
+               "map-entries", {wheel: i => names[0][map.wheel.values[i]], rail: i => names[1][map.rail.values[i]]});
+  }
+};
