@@ -19,9 +19,9 @@ const sweepData = () => {
     [sweep.key]: {
       values: sweep.cases.map(one => toField(control, one.value)),
       unit: control.unit || "1",
-      description: "swept over"
+      role: "swept"
     },
-    status: {values: sweep.cases.map(one => OUTCOMES.indexOf(outcomeOf(one.reply)))},
+    status: {values: sweep.cases.map(one => OUTCOMES.indexOf(outcomeOf(one.reply))), choices: OUTCOMES},
     patches: {case: {values: []}}
   };
   for (const name of ranked(shownOf(good).quantities, "result", "main")) {

@@ -56,9 +56,9 @@ const creepFigure = (data, which) => {
                                         legend: ABOVE, margin: {r: 70}}};
 };
 
-/// The keys that a sweep varies: those columns of the patches that say so.
+/// The keys that a sweep varies.
 const sweptKeys = data => Object.keys(data.patches ?? data)
-    .filter(key => /^(swept over|which of)/.test((data.patches ?? data)[key]?.description ?? ""));
+    .filter(key => (data.patches ?? data)[key]?.role === "swept");
 
 const withUnit = (text, dataset) => dataset.unit && dataset.unit !== "1" ? `${text}, ${unitText(dataset.unit)}` : text;
 const titled = (name, dataset) => withUnit(words(name), dataset); // of a figure; columns of tables have short names
@@ -74,10 +74,7 @@ const leadingKey = (data, keys) => {
 };
 
 /// A value of a key that was swept over; of a text that text.
-const keyText = (dataset, i) => {
-  const texts = dataset.description.startsWith("which of") ? dataset.description.match(/"[^"]*"/g) : null;
-  return texts?.[dataset.values[i]]?.replaceAll('"', "").split("/").pop() ?? number(dataset.values[i]);
-};
+const keyText = (dataset, i) => dataset.choices?.[dataset.values[i]]?.split("/").pop() ?? number(dataset.values[i]);
 
 /// Each patch as a bar over y, as wide as it is, one line a value of the key; its mark grows with the force.
 const patchesFigure = (data, key) => {

@@ -93,8 +93,9 @@ const SWEEP = {
           ...columns.map(name => withUnit(name, data[name])), "status"
         ],
         data.status.values.map(
-            (state,
-             i) => [i, ...keys.map(k => keyText(data[k], i)), ...columns.map(name => cell(name, i)), OUTCOMES[state]]),
+            (state, i) =>
+                [i, ...keys.map(k => keyText(data[k], i)), ...columns.map(name => cell(name, i)),
+                 data.status.choices[state]]),
         {id: "cases", wide: true});
     for (const [name, one] of Object.entries(data.cases ?? {}))
       if (one.attributes?.reason)
