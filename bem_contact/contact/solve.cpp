@@ -2,8 +2,10 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/contact/check/certificate.hpp"
 #include "bem_contact/contact/check/discretisation.hpp"
 #include "bem_contact/contact/check/error_estimates.hpp"
+#include "bem_contact/contact/check/imbalance.hpp"
 #include "bem_contact/contact/coupled/contact_operators.hpp"
 #include "bem_contact/contact/coupled/settings.hpp"
 #include "bem_contact/contact/coupled/solve_coupled.hpp"
@@ -156,19 +158,6 @@ ContactResult result_of(const ContactProblem& problem, const contact::Solution& 
   return result;
 }
 
-/// Why a result that the solvers took for a solution is none.
-std::string violated_condition(const Certificate& certificate, const SolverOptions& options) {
-  const double worst = certificate.worst();
-  if (!std::isfinite(worst))
-    return "digits were lost: a number overflowed, lengths, forces or moduli lie too many decades apart";
-  if (worst <= certificate.rounding)
-    return "digits were lost: lengths, forces or moduli lie too many decades apart";
-  return fmt::format(
-      "the solvers reached their tolerance, {:.0e}, but the certificate finds {} violated by "
-      "{:.1e}: unless a lower tolerance helps this is a fault of the program, please report it",
-      options.tolerance, certificate.worst_name(), worst);
-}
-
 ContactResult certified_result(const ContactProblem& problem, const contact::Solution& solution,
                                const SolverOptions& options) {
   require_balance(problem, solution);
@@ -178,7 +167,7 @@ ContactResult certified_result(const ContactProblem& problem, const contact::Sol
       certify(problem, result, options.displacements ? &result.displacements : nullptr, threads_of(options));
   result.effort.check_seconds = checking.seconds();
   if (!result.certified() && result.trust.solver_note.empty())
-    result.trust.solver_note = violated_condition(result.trust.certificate, options);
+    result.trust.solver_note = contact::violated_condition(result.trust.certificate, options.tolerance);
   return result;
 }
 

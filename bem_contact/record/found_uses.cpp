@@ -103,9 +103,10 @@ std::string damage_text(const Record& r) {
       most ? text_of(*stated_at(r, "patches/T_gamma", *most)) : "none");
 }
 
-std::string as_sentence(std::string words) {
-  words.front() = char(std::toupper(static_cast<unsigned char>(words.front())));
-  return words + ".";
+std::string as_sentence(std::string_view words) {
+  std::string out(words);
+  out.front() = char(std::toupper(static_cast<unsigned char>(out.front())));
+  return out + ".";
 }
 
 /// How many sentences a study takes of a part: the first ones.

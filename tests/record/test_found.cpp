@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::SizeIs;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 /// One wheel on its rail: patches with these normal forces, at these inclinations.
 Record contact(const std::vector<double>& forces, const std::vector<double>& inclinations) {
@@ -34,7 +34,7 @@ Record contact(const std::vector<double>& forces, const std::vector<double>& inc
                                 {"Fx", Number{-15898, "N", "", 141}},
                                 {"Fy", Number{34793, "N", "", 221}},
                                 {"Fz", Number{89419, "N", "", 0}},
-                                {"lateral", Number{6.4381, "mm", "", nan}}}},
+                                {"lateral", Number{6.4381, "mm", "", not_known}}}},
           {"patches", patches}};
 }
 
@@ -44,7 +44,7 @@ TEST(Rounded, ValueAndErrorHaveTwoDigitsOfTheError) {
   EXPECT_EQ(rounded(12790572, 19723973), "13000000 +- 20000000");
   EXPECT_EQ(rounded(-9.0614e-4, 1.21e-5), "-0.000906 +- 0.000012");
   EXPECT_EQ(rounded(0.00001, 0.034), "0.000 +- 0.034");
-  EXPECT_EQ(rounded(462.5123, nan), "462.5");
+  EXPECT_EQ(rounded(462.5123, not_known), "462.5");
   EXPECT_EQ(rounded(89419, 0), "89419"); // prescribed
 }
 
@@ -110,8 +110,8 @@ TEST(Found, SweepsSayWhereTheLargestIs) {
                      {"certified_count", Number{2, "1", ""}},
                      {"refused_count", Number{1, "1", ""}},
                      {"position.lateral", field({0, 2.5, 5}, "mm", "swept over")},
-                     {"pmax", field({900, 1400, nan}, "MPa", "")},
-                     {"pmax_error", field({9, 14, nan}, "MPa", "")},
+                     {"pmax", field({900, 1400, not_known}, "MPa", "")},
+                     {"pmax_error", field({9, 14, not_known}, "MPa", "")},
                      {"status", field({1, 1, 3}, "1", "")}};
   EXPECT_THAT(
       found_in(sweep).sentences,

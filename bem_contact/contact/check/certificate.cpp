@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/check/direct_sums.hpp"
+#include "bem_contact/contact/check/imbalance.hpp"
 #include "bem_contact/contact/check/warm_friction.hpp"
 #include "bem_contact/contact/friction_memory.hpp"
 #include "bem_contact/contact/plastic_slip.hpp"
@@ -111,23 +112,6 @@ std::optional<Fields> former_displacements(const ContactProblem& problem, const 
       }
   }
   return sum;
-}
-
-/// The largest of what the prescribed shear forces miss, over what friction can carry.
-double shear_imbalance(const ContactProblem& problem, const ContactResult& result) {
-  if (!problem.has_friction())
-    return 0;
-  double fx = 0, fs = 0;
-  for (int is = 0; is < problem.grid.ms; ++is) {
-    const double share = problem.lateral_share(is);
-    for (int i = is * problem.grid.mx; i < (is + 1) * problem.grid.mx; ++i) {
-      fx += result.px[i] * problem.element_area();
-      fs += result.ps[i] * share * problem.element_area();
-    }
-  }
-  const double missing = std::max(problem.force_x ? std::abs(fx - *problem.force_x) : 0.0,
-                                  problem.force_s ? std::abs(fs - *problem.force_s) : 0.0);
-  return missing > 0 ? missing / friction_bound(problem, result) : 0;
 }
 
 void require_fields(const ContactProblem& problem, const ContactResult& result) {
@@ -368,19 +352,6 @@ void check_friction(const ContactProblem& problem, const ContactResult& result, 
         std::max(certificate.rounding, rounding(slips.term, slips.scale, double(slips.slips.size())));
 }
 
-double vertical_imbalance(const ContactProblem& problem, const ContactResult& result) {
-  if (problem.load != LoadKind::force)
-    return 0;
-  double force = 0;
-  for (int is = 0; is < problem.grid.ms; ++is) {
-    const double cosine = std::cos(problem.rows[is].delta), sine = std::sin(problem.rows[is].delta);
-    for (int i = is * problem.grid.mx; i < (is + 1) * problem.grid.mx; ++i)
-      force += (result.pn[i] * cosine + result.ps[i] * sine) * problem.element_area();
-  }
-  const double missing = std::abs(force - problem.force);
-  return problem.force > 0 ? missing / problem.force : missing;
-}
-
 } // namespace
 
 Certificate certify(const ContactProblem& problem, const ContactResult& result, Displacements* displacements,
@@ -395,7 +366,7 @@ Certificate certify(const ContactProblem& problem, const ContactResult& result, 
   const auto u = contact::direct_displacements(problem, wanted, {result.px, result.ps, result.pn}, threads);
   check_normal(problem, result, u[component_n], contact::summed_columns(problem), certificate);
   check_friction(problem, result, u, elements, certificate);
-  certificate.force_balance = std::max(vertical_imbalance(problem, result), shear_imbalance(problem, result));
+  certificate.force_balance = contact::force_imbalance(problem, result);
   if (displacements)
     *displacements = {on_the_grid(problem, u[component_x]), on_the_grid(problem, u[component_s]),
                       on_the_grid(problem, u[component_n])};

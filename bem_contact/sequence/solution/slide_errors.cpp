@@ -56,8 +56,8 @@ template <class Numbers> void add_hertzian_errors(double normal, Numbers& to) {
 void add_patch_errors(const SlideChange& change, PatchSummary& patch) {
   add_hertzian_errors(change.normal, patch);
   add_error_share(change.approach, patch.overlap);
-  for (Measured* number : {&patch.fn, &patch.fx, &patch.fs, &patch.moment_n})
-    add_error_share(change.normal, *number);
+  for (Measured* of_force : {&patch.fn, &patch.fx, &patch.fs, &patch.moment_n})
+    add_error_share(change.normal, *of_force);
   add_error(change.lateral, patch.fy);
 }
 
