@@ -178,7 +178,7 @@ TEST_F(BadTables, ProfilesWithHoles) {
       if (const Point2 p = curve.at(s).position; p.y < from || p.y > to)
         file << p.y << ' ' << p.z << '\n';
     file.close();
-    const Warnings warnings;
+    const SaidWarnings warnings;
     EXPECT_EQ(hard::outcome(wheel_rail({{"rail.profile", "\"rail.txt\""}}), folder), "certified");
     return warnings.text();
   };

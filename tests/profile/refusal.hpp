@@ -10,7 +10,7 @@ namespace bem_contact {
 
 /// The message with which a profile file of this text is refused.
 inline std::string refusal(const std::string& text, ProfileKind kind = ProfileKind::rail) {
-  const Warnings warnings;
+  const SaidWarnings warnings;
   return message_of([&] { parse_profile(text, "p.txt", kind); });
 }
 

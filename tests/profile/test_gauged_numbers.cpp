@@ -41,7 +41,7 @@ TEST(FlangeNumbers, AreWhatTheNamesOfTheStandardSay) {
 }
 
 TEST(FlangeNumbers, OfAMeasuredWheelFollowItsWear) {
-  const Warnings quiet;
+  const SaidWarnings quiet;
   const auto numbers = [](const std::vector<Point2>& points) {
     const MeasuredProfile p = parse_measured_profile(as_columns(points), "w.whl", ProfileKind::wheel);
     return *findings_of(p, ProfileKind::wheel, {}).flange;
@@ -92,7 +92,7 @@ TEST(HeadWear, OfARailThatIsLowerAndNarrowerIsThatOfItsArcs) {
 }
 
 TEST(HeadWear, IsFoundWhereverTheRailStandsInItsFile) {
-  const Warnings quiet;
+  const SaidWarnings quiet;
   for (const double turn : {0.0, -0.025}) {
     const auto points = worn_points("60E1", {{1.0, 0, 12}}, {{-7, 3}, turn}, 0.3);
     const MeasuredProfile p = parse_measured_profile(as_columns(points), "r.ban", ProfileKind::rail);

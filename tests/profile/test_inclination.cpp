@@ -59,7 +59,7 @@ std::vector<std::vector<Bump>> usual_wear(double corner_at, double width = 10) {
 }
 
 double inclination(const Points& points) {
-  const Warnings quiet;
+  const SaidWarnings quiet;
   const MeasuredProfile p = parse_measured_profile(as_columns(points), "rail.txt", ProfileKind::rail);
   return rail_inclination(p.curve, p.scatter_left());
 }
@@ -112,7 +112,7 @@ TEST(RailInclination, OfALowRailWornAllOverItsTopIsTold) {
       for (const double depth : {0.5, 1.0, 2.0})
         for (const double part : {0.0, 0.025, 0.05}) {
           const Points points = noisy(worn_points("60E1", {{depth, c, w}}, {{0, 0}, -part}, 0.25), 0.003, 7);
-          const Warnings quiet;
+          const SaidWarnings quiet;
           const MeasuredProfile p = parse_measured_profile(as_columns(points), "rail.txt", ProfileKind::rail);
           EXPECT_NEAR(rail_inclination(p.curve, p.scatter_left()), part, 2e-3)
               << c << ' ' << w << ' ' << depth;
@@ -124,7 +124,7 @@ TEST(RailInclination, OfALowRailWornAllOverItsTopIsTold) {
 
 TEST(RailInclination, OfARailThatLeansOutwardsIsSaid) {
   const auto turn = [](double angle) {
-    const Warnings quiet;
+    const SaidWarnings quiet;
     const Points points = worn_points("60E1", {{0.5, 0, 12}}, {{-7, 0}, angle}, 0.4);
     const MeasuredProfile p = parse_measured_profile(as_columns(points), "rail.txt", ProfileKind::rail);
     return rail_turn(p.curve, p.scatter_left());
@@ -230,7 +230,7 @@ TEST(RailInclination, OfAllRailsOfTheStandardIsToldAndNoneIsInvented) {
 }
 
 TEST(RailInclination, OfTheSampleFilesIsAsTheyAreKnown) {
-  const Warnings quiet;
+  const SaidWarnings quiet;
   const auto of = [](const std::filesystem::path& file) {
     const MeasuredProfile p = measured_profile(file, ProfileKind::rail);
     return rail_inclination(p.curve, p.scatter_left());

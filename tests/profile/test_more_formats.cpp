@@ -29,7 +29,7 @@ std::string miniprof_columns(double step = 0.5, double z = 0) {
 }
 
 double tip_of(const std::string& text, const ProfileReading& reading = {}, int part = 0) {
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const MeasuredProfile profile = parse_measured_profile(text, "p.whl", ProfileKind::wheel, reading, part);
   return flange_tip(sampled_curve(profile.curve, 0.05))->y;
 }
@@ -52,7 +52,7 @@ TEST(MiniProfParts, OneOfTwoProfilesIsChosenByItsNumber) {
   const std::string columns = miniprof_columns(), lower = miniprof_columns(0.5, 3);
   const std::string two = "[FileInfo]\nProgramName=x\n\n[Profile1Info]\nColumnDef=X,Y\n[Profile1Points]\n" +
                           columns + "\n[Profile2Info]\nColumnDef=X,Y\n[Profile2Points]\n" + lower;
-  const Warnings warnings;
+  const SaidWarnings warnings;
   EXPECT_THAT(message_of([&] { parse_measured_profile(two, "p.mpt", ProfileKind::wheel); }),
               testing::AllOf(HasSubstr("p.mpt holds 2 profiles"), HasSubstr("#1 for the first")));
   EXPECT_THAT(message_of([&] { parse_measured_profile(two, "p.mpt", ProfileKind::wheel, {}, 3); }),
@@ -70,7 +70,7 @@ TEST(MiniProfParts, AHeaderAfterPointsBeginsAnotherProfile) {
     return fmt::format("Stock=wheel\nColumnDef=X,Y\nXYPoints={}\n\n{}\n", points, columns);
   };
   const std::string two = part(0) + part(3);
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const auto height = [&](int number) {
     return parse_measured_profile(two, "p.mpt", ProfileKind::wheel, {}, number).curve.at(0).position.z;
   };
@@ -86,14 +86,14 @@ TEST(MiniProfParts, TheNumberStandsBehindTheFilesName) {
                                     << miniprof_columns()
                                     << "[Profile2Info]\nColumnDef=X,Y\n[Profile2Points]\n"
                                     << miniprof_columns(0.5, 3);
-  const Warnings warnings;
+  const SaidWarnings warnings;
   EXPECT_NEAR(named_profile("two.mpt#2", ProfileKind::wheel, folder).at(0).position.z, 3, 1e-5);
   EXPECT_THAT(message_of([&] { named_profile("three.mpt#2", ProfileKind::wheel, folder); }),
               HasSubstr("there is no file"));
 }
 
 TEST(PlainProfile, CommentsAndQuotesMayEndALine) {
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const std::string text = "-20 1 ! first\n-10 0.25 % here\n% a line\n\"0 0\"\n10 0.25 # x\n20 1 \"last\"\n";
   EXPECT_NEAR(parse_profile(text, "p.txt", ProfileKind::rail).nearest({10, 0.25}).position.z, 0.25, 1e-12);
   const std::string miniprof =
@@ -117,7 +117,7 @@ TEST(Vampire, AWheelStandsByTheBackOfItsFlange) {
   const std::string text = vampire("WHEELPROFILE", "TREADDATUM EUROPEAN\nFLANGEBACK 1360\n", points, 1);
   EXPECT_NEAR(tip_of(text), -55, 0.1);
   EXPECT_NEAR(tip_of(text, {.mirror = true}), -55, 0.1);
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const ProfileCurve curve = parse_profile(text, "p.whe", ProfileKind::wheel);
   EXPECT_NEAR(curve.nearest({20, -1}).position.z, standard_profile("S1002").nearest({20, -1}).position.z,
               1e-3);
@@ -133,7 +133,7 @@ TEST(Vampire, ARailHasZUpAndItsMiddleAtZero) {
   Points points = sampled_curve(standard_profile("60E1"), 0.5);
   for (Point2& p : points)
     p.y += 753.5;
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const ProfileCurve curve = parse_profile(
       vampire("RAILPROFILE", "GAUGEPOINT EUROPEAN\nGAUGE 1435\n", points, -1), "p.rai", ProfileKind::rail);
   EXPECT_THAT(warnings.text(), IsEmpty());

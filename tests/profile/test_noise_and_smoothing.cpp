@@ -182,7 +182,7 @@ TEST(Smoothing, WhatItRemovesIsTheNoise) {
 }
 
 std::string said(const Points& points, const ProfileReading& reading = {}) {
-  const Warnings warnings;
+  const SaidWarnings warnings;
   parse_profile(as_columns(points), "p.txt", ProfileKind::wheel, reading);
   return warnings.text();
 }
@@ -235,7 +235,7 @@ TEST(NoisyFile, TheAdviceForWavesIsOne) {
       for (unsigned seed = 1; seed <= 3; ++seed) {
         const Points points = wavy(standard_profile(name), deviation, 10, seed);
         const auto of = [&](double smoothing) {
-          const Warnings quiet;
+          const SaidWarnings quiet;
           return parse_measured_profile(as_columns(points), "w.whl", ProfileKind::wheel,
                                         {.smoothing = smoothing});
         };

@@ -49,7 +49,7 @@ TEST(Nominal, ExactPointsGiveItBackWithItsJumpsAndItsPlace) {
   for (const char* name : {"S1002", "60E1", "60E2", "54E1", "46E3"}) {
     const ProfileKind kind = kind_of_standard(name);
     const Points points = worn_points(name, {}, displaced, 0.25);
-    const Warnings quiet;
+    const SaidWarnings quiet;
     const MeasuredProfile p = read(points, kind, {.nominal = name, .keep_origin = true});
     ASSERT_TRUE(p.worn) << name;
     EXPECT_NEAR(p.worn->place.shift.y, displaced.shift.y, 1e-5) << name;
@@ -75,7 +75,7 @@ TEST(Nominal, TellsTheCurvatureOfTheFlangeRootFromNoisyPoints) {
   const ProfileCurve exact = standard_profile("S1002");
   const Point2 from = exact.at(30).position, to = exact.at(37).position;
   const Points points = worn_points("S1002", {}, {}, 0.25);
-  const Warnings quiet;
+  const SaidWarnings quiet;
   double worst = 0, plain = 0;
   for (unsigned seed = 1; seed <= 10; ++seed) {
     const Points scattered = noisy(points, 0.01, seed);
@@ -93,7 +93,7 @@ TEST(Nominal, TellsTheCurvatureOfTheFlangeRootFromNoisyPoints) {
 TEST(Nominal, WearAndPlaceAreFoundInNoisyPoints) {
   const std::vector<Bump> hollow{{0.3, 5, 15}};
   const Points truth = worn_points("S1002", hollow, displaced, 0.25);
-  const Warnings quiet;
+  const SaidWarnings quiet;
   for (const double scatter : {0.002, 0.01})
     for (unsigned seed = 1; seed <= 5; ++seed) {
       const MeasuredProfile p = read(noisy(truth, scatter, seed), ProfileKind::wheel, {.nominal = "S1002"});
@@ -112,7 +112,7 @@ TEST(Nominal, AWornRailIsFoundToo) {
   const std::vector<Bump> corner{{1.2, -38, 8}};
   const NominalPlace inclined{{-0.4, 0.3}, -0.025};
   const Points truth = worn_points("60E1", corner, inclined, 0.25);
-  const Warnings quiet;
+  const SaidWarnings quiet;
   const MeasuredProfile p = read(noisy(truth, 0.005, 3), ProfileKind::rail, {.nominal = "60E1"});
   EXPECT_NEAR(p.worn->place.shift.y, inclined.shift.y, 0.01);
   EXPECT_NEAR(p.worn->place.shift.z, inclined.shift.z, 0.01);
@@ -123,7 +123,7 @@ TEST(Nominal, AWornRailIsFoundToo) {
 
 /// A file may have its origin anywhere: at the back of the flange, or at the edge of the rail.
 TEST(Nominal, IsFoundFarFromTheFilesOrigin) {
-  const Warnings quiet;
+  const SaidWarnings quiet;
   for (const char* name : {"S1002", "60E1"}) {
     const NominalPlace far{{36, 140}, 0.03};
     const Points truth = worn_points(name, {{0.5, 0, 12}}, far, 0.5);
@@ -138,7 +138,7 @@ TEST(Nominal, IsFoundFarFromTheFilesOrigin) {
 
 TEST(Nominal, EndsAreStable) {
   const Points truth = worn_points("S1002", {{0.3, 5, 15}}, {}, 0.25);
-  const Warnings quiet;
+  const SaidWarnings quiet;
   for (unsigned seed = 1; seed <= 10; ++seed) {
     const MeasuredProfile p = read(noisy(truth, 0.01, seed), ProfileKind::wheel, {.nominal = "S1002"});
     for (const std::size_t end :
@@ -152,7 +152,7 @@ TEST(Nominal, EndsAreStable) {
 TEST(Nominal, APartOfAProfileWillDo) {
   Points truth = worn_points("S1002", {{0.3, 5, 15}}, {}, 0.25);
   std::erase_if(truth, [](Point2 p) { return p.y > 45 || p.y < -50; });
-  const Warnings quiet;
+  const SaidWarnings quiet;
   const MeasuredProfile p = read(noisy(truth, 0.005, 2), ProfileKind::wheel, {.nominal = "S1002"});
   EXPECT_LT(off(p.curve, truth).second, 0.02);
   EXPECT_LT(p.curve.at(p.curve.s_begin()).position.y, 45.1); // nothing is added where nothing was measured
@@ -166,7 +166,7 @@ TEST(Nominal, PointsBeyondItsEndsAreLeftOutAndCounted) {
   for (int i = 0; i < 20; ++i)
     longer.push_back(truth.front() + Point2{5 - 0.25 * i, -(5 - 0.25 * i)});
   longer.insert(longer.end(), truth.begin(), truth.end());
-  const Warnings heard;
+  const SaidWarnings heard;
   const MeasuredProfile p = read(longer, ProfileKind::wheel, {.nominal = "S1002"});
   EXPECT_GE(p.worn->beyond, 20u);
   EXPECT_LE(p.worn->beyond, 22u);
@@ -177,7 +177,7 @@ TEST(Nominal, PointsBeyondItsEndsAreLeftOutAndCounted) {
 /// Of right and left wheels, z up or down, the same curve is made.
 TEST(Nominal, MirroredAndTurnedFilesGiveTheSameCurve) {
   const Points truth = noisy(worn_points("S1002", {{0.3, 5, 15}}, displaced, 0.25), 0.005, 4);
-  const Warnings quiet;
+  const SaidWarnings quiet;
   const ProfileReading reading{.nominal = "S1002"};
   const ProfileCurve curve = read(truth, ProfileKind::wheel, reading).curve;
   Points other = truth;
@@ -263,7 +263,7 @@ TEST(Nominal, IsAKeyOfBodyFiles) {
       noisy(worn_points("S1002", {{0.3, 5, 15}}, {}, 0.25), 0.005, 9));
   std::ofstream(folder / "body.toml")
       << "[body]\nkind = \"wheel\"\nprofile = \"w.txt\"\nnominal = \"S1002\"\n";
-  const Warnings quiet;
+  const SaidWarnings quiet;
   const ProfileCurve of_body = named_profile("body.toml", ProfileKind::wheel, folder.path());
   EXPECT_EQ(of_body.digest(),
             named_profile("w.txt", ProfileKind::wheel, folder.path(), {.nominal = "S1002"}).digest());
@@ -271,7 +271,7 @@ TEST(Nominal, IsAKeyOfBodyFiles) {
 }
 
 std::string refusal(const Points& points, ProfileKind kind, const ProfileReading& reading) {
-  const Warnings quiet;
+  const SaidWarnings quiet;
   return message_of([&] { read(points, kind, reading); });
 }
 
@@ -298,12 +298,12 @@ TEST(Nominal, AnUnknownOneAndOneOfTheOtherKindAreRefused) {
 }
 
 std::optional<LikeStandard> like(const Points& points) {
-  const Warnings quiet;
+  const SaidWarnings quiet;
   return like_standard(read(points, ProfileKind::rail, {}).curve, ProfileKind::rail);
 }
 
 double told_inclination(const Points& points) {
-  const Warnings quiet;
+  const SaidWarnings quiet;
   return rail_inclination(read(points, ProfileKind::rail, {}).curve);
 }
 
@@ -330,7 +330,7 @@ TEST(LikeStandard, TwoThatAreNearAreBothNamedAndTheSidesTellTheTurn) {
 }
 
 std::string said(const Points& points, ProfileKind kind, const ProfileReading& reading = {}) {
-  const Warnings heard;
+  const SaidWarnings heard;
   read(points, kind, reading);
   return heard.text();
 }
@@ -340,7 +340,7 @@ TEST(Nominal, ARailIsPlacedByItsSides) {
   const std::vector<Bump> both{{0.6, -33, 10}, {0.3, 0, 10}};
   const NominalPlace inclined{{-7, 0.3}, -0.025};
   const Points truth = worn_points("60E1", both, inclined, 0.25);
-  const Warnings quiet;
+  const SaidWarnings quiet;
   const MeasuredProfile p = read(noisy(truth, 0.003, 3), ProfileKind::rail, {.nominal = "60E1"});
   EXPECT_NEAR(p.worn->place.angle, inclined.angle, 3e-4);
   EXPECT_LT(norm(p.worn->place.shift - inclined.shift), 0.02);
@@ -357,7 +357,7 @@ TEST(Nominal, AnEvenlyWornTopIsNotTakenForTheTop) {
     const CurvePoint p = exact.at(s);
     points.push_back(p.position + 2 / (1 + std::exp((std::abs(s) - 30) / 2)) * normal_of(p.delta));
   }
-  const Warnings quiet;
+  const SaidWarnings quiet;
   const MeasuredProfile p = read(points, ProfileKind::rail, {.nominal = "60E1"});
   EXPECT_NEAR(p.worn->place.shift.z, 0, 0.1);
   EXPECT_NEAR(p.worn->place.angle, 0, 1e-3);
@@ -384,7 +384,7 @@ TEST(Nominal, TheSampleOfAnotherWheelIsNotAdvisedToBeS1002) {
       "../shared/data/found/file-12-nominal-advised-for-another-profile/wheel.txt";
   if (!std::filesystem::exists(file))
     GTEST_SKIP() << "the sample file is not at hand";
-  const Warnings heard;
+  const SaidWarnings heard;
   const MeasuredProfile p = measured_profile(file, ProfileKind::wheel);
   EXPECT_THAT(heard.text(), AllOf(HasSubstr("smoothing = 14"), Not(HasSubstr("nominal = "))));
   EXPECT_FALSE(like_standard(p.curve, ProfileKind::wheel, p.scatter_left()));

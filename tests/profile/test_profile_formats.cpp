@@ -38,7 +38,7 @@ TEST(Simpack, comments_begin_with_either_mark) {
 }
 
 TEST(Simpack, every_flag) {
-  const Warnings warnings;
+  const SaidWarnings warnings;
   expect_near(first_point(rail_of(simpack("", bow))), {-20, 4});
   expect_near(first_point(rail_of(simpack("shift.y = 3\nshift.z = -0.5", bow))), {-17, 3.5});
   // about x from y towards z, after the shift
@@ -56,7 +56,7 @@ TEST(Simpack, every_flag) {
 }
 
 TEST(Simpack, mirrors_and_inversion) {
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const std::string lopsided = "-30 9\n-10 1\n0 0\n10 1\n20 4\n";
   expect_near(first_point(rail_of(simpack("mirror.y = 1\ninversion = 1", lopsided))), {-20, 4});
   expect_near(first_point(rail_of(simpack("mirror.z = 1", "-20 -4\n-10 -1\n0 0\n10 -1\n20 -4\n"))), {-20, 4});
@@ -87,7 +87,7 @@ TEST(Simpack, refusals) {
 // ---------------------------------------------------------------- MiniProf
 
 TEST(MiniProf, both_variants_and_stray_quotes) {
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const std::string points = "\"-20\t-4\"\n\"-10\t-1\n 0 0\n10 -1\n30 -9\n"; // z up, y mirrored
   for (const std::string& header : {std::string("Filename=a.ban\nXYPoints=5\nXOffset=0.0\n\n"),
                                     std::string("#MINIWHEELPROF 1.0\nsome title\n\n")}) {
@@ -99,7 +99,7 @@ TEST(MiniProf, both_variants_and_stray_quotes) {
 }
 
 TEST(MiniProf, columns_by_name) {
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const ProfileCurve curve = rail_of("XYPoints=4\nColumnDef=N,Y,X\n\n1 4 -20\n2 1 -10\n3 0 0\n4 4 20\n");
   expect_near(first_point(curve), {-20, 4});
 }
@@ -113,7 +113,7 @@ TEST(MiniProf, a_truncated_file_is_refused) {
 }
 
 TEST(MiniProf, offsets_are_not_applied_in_silence) {
-  const Warnings warnings;
+  const SaidWarnings warnings;
   rail_of("XYPoints=4\nXOffset=2.5\n\n-20 4\n-10 1\n0 0\n20 4\n");
   EXPECT_THAT(warnings.text(), HasSubstr("warning: p.prr: XOffset = 2.5 is not applied"));
 }

@@ -56,7 +56,7 @@ double deviation(const ProfileCurve& curve, const std::string& standard) {
 constexpr double sampling = 1e-3; // what half a millimetre between points costs where curvature jumps
 
 TEST(PlainProfile, reads_what_it_should_without_a_word) {
-  const Warnings warnings;
+  const SaidWarnings warnings;
   EXPECT_LT(deviation(parse_profile(columns(sampled("60E1")), "p", ProfileKind::rail), "60E1"), sampling);
   EXPECT_LT(deviation(parse_profile(columns(sampled("S1002")), "p", ProfileKind::wheel), "S1002"), sampling);
   EXPECT_THAT(warnings.text(), IsEmpty());
@@ -65,7 +65,7 @@ TEST(PlainProfile, reads_what_it_should_without_a_word) {
 /// What is missing cannot be known; that it is missing can.
 TEST(PlainProfile, holes_and_jumps_are_said) {
   const auto said = [](const Points& points) {
-    const Warnings warnings;
+    const SaidWarnings warnings;
     parse_profile(columns(points), "p", ProfileKind::rail);
     return warnings.text();
   };
@@ -87,7 +87,7 @@ TEST(PlainProfile, holes_and_jumps_are_said) {
 /// One point half a millimetre off. The corner of a rim and noise are none.
 TEST(PlainProfile, a_point_off_its_neighbours_is_said) {
   const auto said = [](const Points& points) {
-    const Warnings warnings;
+    const SaidWarnings warnings;
     parse_profile(columns(points), "p", ProfileKind::rail);
     return warnings.text();
   };
@@ -113,7 +113,7 @@ TEST(PlainProfile, a_point_off_its_neighbours_is_said) {
 
 /// 6 mm apart: what looks like scatter is the shape.
 TEST(PlainProfile, too_few_points_are_no_noise) {
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const MeasuredProfile p = parse_measured_profile(columns(sampled("60E1", 6)), "p", ProfileKind::rail);
   EXPECT_THAT(warnings.text(),
               AllOf(HasSubstr("6.1 mm apart: too few for a curved profile"), Not(HasSubstr("smoothing ="))));
@@ -126,7 +126,7 @@ TEST(PlainProfile, other_files_and_a_third_column_are_told) {
 }
 
 TEST(PlainProfile, comments_names_separators_and_line_ends) {
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const std::string text =
       "\xef\xbb\xbf# rail\r\ny; z\r\n! c\r\n-20, 1\r\n-10;+2.5D-1\r\n\r\n0\t0\r\n10 .25\r\n20 1\r\n";
   const ProfileCurve curve = parse_profile(text, "folder/p.txt", ProfileKind::rail);
@@ -156,7 +156,7 @@ class Repaired : public testing::TestWithParam<Mishap> {};
 
 TEST_P(Repaired, to_the_profile_it_was_and_said) {
   const Mishap& mishap = GetParam();
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const ProfileKind kind = mishap.standard == "S1002" ? ProfileKind::wheel : ProfileKind::rail;
   const ProfileCurve curve = parse_profile(mishap.text, "p.txt", kind);
   EXPECT_LT(deviation(curve, mishap.standard), sampling);
@@ -235,7 +235,7 @@ TEST(Repairs, what_cannot_be_mended_is_refused) {
 }
 
 TEST(Repairs, a_small_loop_is_cut_off) {
-  const Warnings warnings;
+  const SaidWarnings warnings;
   Points points = sampled("60E1"), looped = points;
   const Point2 middle = 0.5 * (points[90] + points[91]),
                t = (1 / norm(points[91] - points[90])) * (points[91] - points[90]);
@@ -256,7 +256,7 @@ TEST(Repairs, a_small_loop_is_cut_off) {
 }
 
 RC_GTEST_PROP(Readers, never_crash_and_never_give_a_number_that_is_none, (const std::string& text)) {
-  const Warnings warnings;
+  const SaidWarnings warnings;
   for (const std::string prefix : {"", "point.begin\n", "XYPoints=3\n"}) {
     try {
       const ProfileCurve curve = parse_profile(prefix + text, "p", ProfileKind::rail);

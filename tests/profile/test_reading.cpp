@@ -36,7 +36,7 @@ struct Answer {
   std::string said;
 };
 Answer answer(const Points& points, const std::string& standard, const ProfileReading& reading = {}) {
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const ProfileCurve curve = parse_profile(as_columns(points), "p.txt", kind_of_standard(standard), reading);
   const ProfileCurve exact = standard_profile(standard);
   double off = 0;
@@ -83,7 +83,7 @@ TEST(WheelUpsideDown, TheUndersideOfTheRimTurnsNoWheel) {
     points.push_back(points.back() + Point2{1, -0.1});
   }
   for (const double z : {1.0, -1.0}) {
-    const Warnings warnings;
+    const SaidWarnings warnings;
     const ProfileCurve curve = parse_profile(as_columns(scaled(points, 1, z)), "p.txt", ProfileKind::wheel);
     EXPECT_NEAR(curve.nearest({-55, 28}).position.z, 28, 0.01) << z;
   }
@@ -112,12 +112,12 @@ TEST(WheelUpsideDown, WithoutAFlangeItIsAskedOrSaid) {
     EXPECT_THAT(bem_contact::refusal(tread(30, z), ProfileKind::wheel),
                 AllOf(HasSubstr("z may point up or down"), HasSubstr("profile_z = \"up\" or")))
         << z;
-    const Warnings warnings;
+    const SaidWarnings warnings;
     parse_profile(tread(0, z), "p.txt", ProfileKind::wheel);
     EXPECT_THAT(warnings.text(), HasSubstr("profile_z = \"down\" says so")) << z;
   }
   for (const double front : {0.0, 30.0}) {
-    const Warnings warnings;
+    const SaidWarnings warnings;
     const ProfileCurve up =
         parse_profile(tread(front, -1), "p.txt", ProfileKind::wheel, {.profile_z = ProfileZ::up});
     EXPECT_LT(norm(up.nearest({-20, 1.7}).position - standard_profile("S1002").nearest({-20, 1.7}).position),
@@ -133,7 +133,7 @@ TEST(WheelUpsideDown, AnArcIsNotTurned) {
       points.push_back({y, z * (100 - std::sqrt(1e4 - y * y))});
     return as_columns(points);
   };
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const ProfileCurve groove = parse_profile(arc(1), "p.txt", ProfileKind::wheel);
   EXPECT_NEAR(groove.nearest({50, 13.4}).position.z, 13.4, 0.01);
   EXPECT_THAT(warnings.text(), HasSubstr("\"up\" turns it"));
@@ -150,7 +150,7 @@ TEST(RailUpsideDown, AHeadBesideAGrooveIsAskedAbout) {
   for (const double z : {1.0, -1.0})
     EXPECT_THAT(bem_contact::refusal(as_columns(scaled(points, 1, z))),
                 AllOf(HasSubstr("z may point up or down"), HasSubstr("groove"), HasSubstr("profile_z")));
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const ProfileCurve curve =
       parse_profile(as_columns(points), "p.txt", ProfileKind::rail, {.profile_z = ProfileZ::down});
   EXPECT_NEAR(norm(curve.nearest({0, 0}).position), 0, 1e-3);
@@ -176,7 +176,7 @@ Points inclined(Points points, double angle) {
 
 TEST(RailSide, ARailThatIsWornOnItsFieldSideIsSaid) {
   const auto said = [](const Points& points, bool mirror = false) {
-    const Warnings warnings;
+    const SaidWarnings warnings;
     parse_profile(as_columns(points), "p.txt", ProfileKind::rail, {.mirror = mirror});
     return warnings.text();
   };
@@ -212,7 +212,7 @@ TEST(RailSide, ARailMeasuredFromTheTracksCentreIsPutOnItsSide) {
   const auto read = [](const Points& points, bool mirror = false) {
     return parse_profile(as_columns(points), "p.txt", ProfileKind::rail, {.mirror = mirror}).digest();
   };
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const auto expected = read(in_track);
   EXPECT_THAT(warnings.text(), Not(HasSubstr("mirror")));
   EXPECT_EQ(read(scaled(in_track, -1, 1)), expected);
@@ -227,7 +227,7 @@ TEST(FlangeBack, ASteepEndElsewhereIsSaid) {
     Points points = rim(0, back);
     for (Point2& p : points)
       p.y = y * (p.y + by);
-    const Warnings warnings;
+    const SaidWarnings warnings;
     parse_profile(as_columns(points), "p.txt", ProfileKind::wheel, reading);
     return warnings.text();
   };
@@ -249,7 +249,7 @@ TEST(FlangeBack, AScanThatEndsBehindTheTipTellsNothing) {
   std::erase_if(points, [](Point2 p) { return p.y < -62; });
   for (Point2& p : points)
     p.y += 6;
-  const Warnings warnings;
+  const SaidWarnings warnings;
   parse_profile(as_columns(points), "p.txt", ProfileKind::wheel);
   EXPECT_THAT(warnings.text(), Not(HasSubstr("flange_back")));
 }
@@ -287,7 +287,7 @@ TEST(MissingValues, ANumberOfNinesWhereTheProfileGoesIsAPlace) {
   points.insert(points.end(), {{-78, 47}, {-45, 47}}); // the groove
   const Points head = sampled_curve(standard_profile("60E1"), 0.5);
   points.insert(points.end(), head.begin(), head.end());
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const ProfileCurve curve =
       parse_profile(as_columns(points), "p.txt", ProfileKind::rail, {.profile_z = ProfileZ::down});
   EXPECT_NEAR(curve.at(curve.s_begin()).position.y, -99.9, 1e-9);
@@ -303,13 +303,13 @@ TEST(MissingValues, OfTwoZerosAreLeftOutWhereTheWalkLeapsThere) {
   for (Point2& p : rail)
     p.y += 753.5;
   const auto expected = [&] {
-    const Warnings warnings;
+    const SaidWarnings warnings;
     Points whole = rail;
     whole.erase(whole.begin() + 50);
     return parse_profile(as_columns(whole), "p.txt", ProfileKind::rail).digest();
   }();
   rail[50] = {0, 0};
-  const Warnings warnings;
+  const SaidWarnings warnings;
   EXPECT_EQ(parse_profile(as_columns(rail), "p.txt", ProfileKind::rail).digest(), expected);
   EXPECT_THAT(warnings.text(), HasSubstr("1 point left out"));
 }
@@ -324,7 +324,7 @@ TEST(DenseScan, IsThinnedToMeans) {
   for (const Scan& scan : {Scan{0.1, 0.05, 0.01}, Scan{0.05, 0.02, 0.01}, Scan{0.02, 0.01, 0.01},
                            Scan{0.2, 0.1, 0.025}, Scan{0.05, 0.05, 0.011}}) {
     const Points points = noisy(sampled_curve(standard_profile("60E1"), scan.spacing), scan.scatter, 5);
-    const Warnings warnings;
+    const SaidWarnings warnings;
     const MeasuredProfile read =
         parse_measured_profile(as_columns(points), "p.txt", ProfileKind::rail, {.nominal = "60E1"});
     EXPECT_THAT(warnings.text(), AllOf(HasSubstr("points scatter by"), HasSubstr("became their mean")));
@@ -355,7 +355,7 @@ TEST(ClosedOutline, OfARailIsOpenedAtItsBase) {
   };
   for (const std::size_t begin : {0u, 77u, 200u, 300u})
     for (const double z : {1.0, -1.0}) {
-      const Warnings warnings;
+      const SaidWarnings warnings;
       const ProfileCurve curve = parse_profile(outline(begin, z), "p.txt", ProfileKind::rail);
       const ProfileCurve exact = standard_profile("60E1");
       for (double y = -34; y <= 34; y += 3.1) {
@@ -391,7 +391,7 @@ TEST(OtherFiles, DecimalCommasAreNamed) {
           "header.begin\n type = 0\nheader.end\nspline.begin\npoint.begin\n-20,5 4\n0 0\n20 4\npoint.end\n"),
       commas);
   EXPECT_THAT(bem_contact::refusal("RAILPROFILE\ntitle\nGAUGE 1435\n-750,5 1,5 750,5 1,5\n"), commas);
-  const Warnings warnings;
+  const SaidWarnings warnings;
   EXPECT_NO_THROW(parse_profile("-20,4\n-10,1\n0,0\n10, 1\n20 , 4\n", "p.txt", ProfileKind::rail));
 }
 
@@ -403,7 +403,7 @@ TEST(OtherFiles, WhatIsNoTableOfPointsIsNamed) {
   EXPECT_THAT(bem_contact::refusal("PK\x03\x04 and so on"), HasSubstr("spreadsheet"));
   EXPECT_THAT(bem_contact::refusal("<?xml version=\"1.0\"?>\n<a/>\n"), HasSubstr("XML"));
   EXPECT_THAT(bem_contact::refusal(std::string("1\0 \0002\0", 6)), HasSubstr("no text"));
-  const Warnings warnings;
+  const SaidWarnings warnings;
   EXPECT_NO_THROW(
       parse_profile("[Profile1Info]\nColumnDef=X,Y\n[Profile1Points]\n-20 4\n-10 1\n0 0\n10 1\n20 4\n",
                     "p.mpt", ProfileKind::rail));
@@ -412,7 +412,7 @@ TEST(OtherFiles, WhatIsNoTableOfPointsIsNamed) {
 TEST(NamedProfile, AFileWithTheNameOfAStandardIsSaid) {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "S1002") << as_columns(scaled(rim(0, 0), 1, 1));
-  const Warnings warnings;
+  const SaidWarnings warnings;
   EXPECT_EQ(named_profile("S1002", ProfileKind::wheel, folder.path()).digest(),
             standard_profile("S1002").digest());
   EXPECT_THAT(warnings.text(),
@@ -434,7 +434,7 @@ TEST(NoFalseAlarm, OnTheProjectsOwnProfiles) {
   int files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder / "data/bodies"))
     if (const std::string name = entry.path().stem().string(); entry.path().extension() == ".txt") {
-      const Warnings warnings;
+      const SaidWarnings warnings;
       read_profile(entry.path(), name.find("rail") != name.npos ? ProfileKind::rail : ProfileKind::wheel);
       EXPECT_THAT(warnings.text(), no_alarm) << entry.path();
       ++files;
@@ -477,7 +477,7 @@ TEST(NoFalseAlarm, OnSharedProfiles) {
   if (!std::filesystem::exists(shared / "standards/wheels.csv"))
     GTEST_SKIP() << "the shared data are not at hand";
   const auto read = [](const std::filesystem::path& file, ProfileKind kind) {
-    const Warnings warnings;
+    const SaidWarnings warnings;
     read_profile(file, kind);
     EXPECT_THAT(warnings.text(), no_alarm) << file;
   };
@@ -497,7 +497,7 @@ TEST(NoFalseAlarm, OnSharedProfiles) {
           outline.insert(outline.begin(), {-p.y, p.z});
       Points head = outline;
       std::erase_if(head, [](Point2 p) { return p.z > 30; });
-      const Warnings warnings;
+      const SaidWarnings warnings;
       const ProfileCurve curve = parse_profile(as_columns(scaled(head, 1, z)), name, ProfileKind::rail);
       EXPECT_THAT(warnings.text(), no_alarm) << name;
       EXPECT_LT(norm(curve.nearest({0, 0}).position), 1e-6) << name;
@@ -512,7 +512,7 @@ TEST(NoFalseAlarm, OnSharedProfiles) {
     if (name.starts_with("EN13715_S1002") || name.starts_with("APTA") || name.starts_with("NRCC"))
       continue; // a polynomial is missing; or y = 0 is at the gauge point or the flange back
     for (const double z : {1.0, -1.0}) {
-      const Warnings warnings;
+      const SaidWarnings warnings;
       parse_profile(as_columns(scaled(points, 1, z)), name, ProfileKind::wheel);
       EXPECT_THAT(warnings.text(), no_alarm) << name;
       ++wheels;

@@ -23,7 +23,7 @@ std::filesystem::path sample(const std::string& name) {
 
 TEST(SampleFiles, the_S1002_point_list_is_the_formula) {
   SKIP_WITHOUT("MBench_S1002_v3.prw");
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const ProfileCurve curve = read_profile(sample("MBench_S1002_v3.prw"), ProfileKind::wheel);
   EXPECT_THAT(warnings.text(), testing::IsEmpty());
   const ProfileCurve exact = standard_profile("S1002");
@@ -71,7 +71,7 @@ Zone uic60_v3(Point2 p) {
 TEST(SampleFiles, the_UIC60_v3_point_lists_are_what_is_known_of_them) {
   for (const char* name : {"MBench_UIC60_v3.prr", "MBench_UIC60_v3.ban"}) {
     SKIP_WITHOUT(name);
-    const Warnings warnings;
+    const SaidWarnings warnings;
     const ProfileCurve curve = read_profile(sample(name), ProfileKind::rail);
     EXPECT_THAT(warnings.text(), testing::HasSubstr("29 doubled or crowded points dropped"));
     std::array<double, 4> worst{};
@@ -97,14 +97,14 @@ TEST(SampleFiles, the_UIC60_v3_point_lists_are_what_is_known_of_them) {
 
 TEST(SampleFiles, Simpack_and_MiniProf_tell_the_same_rail) {
   SKIP_WITHOUT("MBench_UIC60_v3.ban");
-  const Warnings warnings;
+  const SaidWarnings warnings;
   EXPECT_EQ(read_profile(sample("MBench_UIC60_v3.prr"), ProfileKind::rail).digest(),
             read_profile(sample("MBench_UIC60_v3.ban"), ProfileKind::rail).digest());
 }
 
 TEST(SampleFiles, UIC60_v3_is_not_60E1) {
   SKIP_WITHOUT("MBench_UIC60_v3.prr");
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const ProfileCurve curve = read_profile(sample("MBench_UIC60_v3.prr"), ProfileKind::rail);
   const ProfileCurve exact = standard_profile("60E1");
   const double cant = std::atan(1 / 40.0);

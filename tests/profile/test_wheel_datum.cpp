@@ -30,7 +30,7 @@ struct Read {
 };
 
 Read read(const std::string& text, const ProfileReading& reading = {}) {
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const ProfileCurve curve = parse_profile(text, "p.txt", ProfileKind::wheel, reading);
   return {warnings.text(), flange_tip(sampled_curve(curve, 0.05))->y};
 }
@@ -104,7 +104,7 @@ double curvature_at_middle(const std::string& text, ProfileKind kind, const Prof
 }
 
 TEST(Orientation, OfAGrooveIsWhatTheSceneSays) {
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const std::string groove = as_columns(bowl(-1)); // z down: the middle is lowest
   EXPECT_NEAR(curvature_at_middle(groove, ProfileKind::rail, {.profile_z = ProfileZ::down}), -1.0 / 50, 1e-4);
   EXPECT_THAT(warnings.text(), IsEmpty());
@@ -120,7 +120,7 @@ std::string simpack(const Points& points, int type) {
 }
 
 TEST(Orientation, OfAFormatThatStatesItsAxesIsNotTurned) {
-  const Warnings warnings;
+  const SaidWarnings warnings;
   EXPECT_NEAR(curvature_at_middle(simpack(bowl(-1), 0), ProfileKind::rail), -1.0 / 50, 1e-4);
   EXPECT_NEAR(curvature_at_middle(simpack(bowl(-1), 1), ProfileKind::wheel), 1.0 / 50, 1e-4);
   EXPECT_NEAR(curvature_at_middle(simpack(bowl(1), 1), ProfileKind::wheel), -1.0 / 50, 1e-4);

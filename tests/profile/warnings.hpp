@@ -8,17 +8,17 @@
 #include <string>
 
 /// Catches what is logged while it lives.
-class Warnings {
+class SaidWarnings {
 public:
-  Warnings() {
+  SaidWarnings() {
     auto sink = std::make_shared<spdlog::sinks::ostream_sink_mt>(out_);
     auto logger = std::make_shared<spdlog::logger>("test", sink);
     logger->set_pattern("%l: %v");
     spdlog::set_default_logger(logger);
   }
-  ~Warnings() { spdlog::set_default_logger(before_); }
-  Warnings(const Warnings&) = delete;
-  Warnings& operator=(const Warnings&) = delete;
+  ~SaidWarnings() { spdlog::set_default_logger(before_); }
+  SaidWarnings(const SaidWarnings&) = delete;
+  SaidWarnings& operator=(const SaidWarnings&) = delete;
   std::string text() const { return out_.str(); }
 
 private:

@@ -26,7 +26,7 @@ struct Conicity {
 
 Conicity conicity(std::vector<SceneChange> changes) {
   changes.push_back({"position.rail_inclination", 0.025});
-  const Warnings warnings;
+  const SaidWarnings warnings;
   const WheelsetOnTrack wheelset = wheelset_of(scene_without_file(changes));
   const WheelsetConicity found = wheelset_conicity(wheelset, {.largest = 3, .step = 1});
   const WheelsetStand middle = stand(wheelset, 0);
@@ -52,7 +52,7 @@ TEST(NegativeCone, IsSaid) {
                                    .left_rail = rail,
                                    .left_wheel = wheel,
                                    .position = {.rail_inclination = 0.025}};
-    const Warnings warnings;
+    const SaidWarnings warnings;
     wheelset_conicity(wheelset, {.largest = 3, .step = 1});
     return warnings.text();
   };
