@@ -289,9 +289,24 @@ Found of_shakedown(const Record& r) {
 }
 
 Found of_stresses(const Record& r) {
-  const auto words = text_at(r, "in_words");
-  return {{words ? as_sentence(*words) : "No patch has enough elements to tell its stresses."},
-          {"Does the steel yield never, once or for ever? bem_contact shakedown STRESSES.h5"}};
+  const std::string_view body = text_at(r, "body").value_or("");
+  Found found;
+  for (const auto& [name, title] :
+       {std::pair{"von_mises", "stress of von Mises"}, {"largest_shear", "shear stress"}}) {
+    const std::string path = std::string("patches/") + name;
+    if (const auto most = largest_of(r, path))
+      found.sentences.push_back(
+          fmt::format("The largest {} is {}, {} deep, in {}.", title, text_of(*stated_at(r, path, *most)),
+                      text_of(*stated_at(r, path + "_depth", *most)), body.empty() ? "a half-space" : body));
+  }
+  if (found.sentences.empty())
+    found.sentences.emplace_back("No patch has enough elements to tell its stresses.");
+  if (const auto most = largest_of(r, "patches/von_mises"))
+    if (const auto change = stated_at(r, "patches/von_mises_change", *most))
+      found.sentences.push_back(fmt::format(
+          "Against a half-space the body changes that of von Mises by {:+.1f} %.", 100 * change->value));
+  found.next.emplace_back("Does the steel yield never, once or for ever? bem_contact shakedown STRESSES.h5");
+  return found;
 }
 
 Found of_study(const Record& r) {

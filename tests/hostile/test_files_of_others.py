@@ -84,7 +84,7 @@ READS = {
     "report": (RESULT, ["report", RESULT]),
     "plot": ("profile.whl", ["plot", "profile.whl"]),
 }
-NO_FILE = {"check", "info", "explore"}
+NO_FILE = {"check", "info", "explore", "schema"}
 FOLDERS = {"study", "from-contact"}  # tested below; wear is both
 OUTPUTS = {"-o": ".h5", "--csv": ".csv", "--vtk": ".vts", "--vtu": ".vtu", "--plot": ".html", "--text": ".txt"}
 

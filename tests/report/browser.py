@@ -95,8 +95,18 @@ class Browser:
             look(); })""")
 
     def of_width(self, width, height=1000):
-        """The screen's, px. Figures in 3-D are drawn anew, which takes seconds."""
+        """The screen's, px. Waits until all figures that are shown have their new width; in 3-D that takes seconds."""
         self.call("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+        self.value("""new Promise(done => {
+            const until = performance.now() + 60000;
+            const follows = ([frame]) => {
+              const drawn = frame.querySelector("svg.main-svg");
+              return !drawn || frame.offsetParent === null || Math.abs(drawn.getBoundingClientRect().width - widthOf(frame)) <= 1;
+            };
+            const look = () => typeof figures === "undefined" || figures.every(follows) || performance.now() > until ? done()
+                                                                                                            : setTimeout(look, 50);
+            setTimeout(look, 50);
+        })""")
 
     def screenshot(self, file):
         data = self.call("Page.captureScreenshot", {"captureBeyondViewport": True})["data"]
