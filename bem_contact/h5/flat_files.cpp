@@ -51,6 +51,9 @@ H5Table read_h5(const std::filesystem::path&) {
 H5Table read_h5_top(const std::filesystem::path&, const std::string&) {
   refuse();
 }
+H5Table read_h5_where(const std::filesystem::path&, const std::function<bool(const std::string&)>&) {
+  refuse();
+}
 
 namespace strict_h5 {
 

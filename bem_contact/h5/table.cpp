@@ -78,15 +78,6 @@ bool read_below(hid_t root, const std::function<bool(const std::string&)>& wante
   return whole;
 }
 
-H5Table read_paths(const std::filesystem::path& file, const std::function<bool(const std::string&)>& wanted) {
-  const QuietHdf5 silence;
-  const H5Handle root = opened(file);
-  H5Table table;
-  if (!read_below(root, wanted, table))
-    refuse_reading(file);
-  return table;
-}
-
 [[noreturn]] void refuse_as_damaged(const std::filesystem::path& file, const std::string& why) {
   throw InputError("The file '" + file.string() + "' is damaged", why,
                    "Copy it again from where it was whole, or make it again.");
@@ -139,12 +130,22 @@ std::string h5_bytes(const H5Table& table) {
   return {image.bytes().begin(), image.bytes().end()};
 }
 
+H5Table read_h5_where(const std::filesystem::path& file,
+                      const std::function<bool(const std::string&)>& wanted) {
+  const QuietHdf5 silence;
+  const H5Handle root = opened(file);
+  H5Table table;
+  if (!read_below(root, wanted, table))
+    refuse_reading(file);
+  return table;
+}
+
 H5Table read_h5(const std::filesystem::path& file) {
-  return read_paths(file, [](const std::string&) { return true; });
+  return read_h5_where(file, [](const std::string&) { return true; });
 }
 
 H5Table read_h5_top(const std::filesystem::path& file, const std::string& but) {
-  return read_paths(file, [&](const std::string& path) {
+  return read_h5_where(file, [&](const std::string& path) {
     return path.find('/') == std::string::npos || (!but.empty() && path.starts_with(but + "/"));
   });
 }

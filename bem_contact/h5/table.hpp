@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -95,6 +96,9 @@ std::string h5_bytes(const H5Table& table);
 H5Table read_h5(const std::filesystem::path& file);
 /// The same without the datasets that lie in groups, but for those of the group `but` ("" for none).
 H5Table read_h5_top(const std::filesystem::path& file, const std::string& but = "");
+/// The same with those datasets alone whose path is wanted.
+H5Table read_h5_where(const std::filesystem::path& file,
+                      const std::function<bool(const std::string& path)>& wanted);
 
 /// Rows of a long line that are deflated together (H5Writer::add_line()). Who reads a line in runs of as many
 /// inflates each chunk once.

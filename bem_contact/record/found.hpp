@@ -22,6 +22,9 @@ Found found_in(const Record& answer);
 /// Of an answer without one. `kind`: as FileKind::page has it, "result".
 Found found_in(const Record& answer, std::string_view kind);
 
+/// Says whether the sentences of a sweep need this entry.
+bool is_found_in_sweep(const std::string& name);
+
 /// The answer with its sentences in front, as "found" and "next".
 Record with_found(Record answer);
 /// The sentences as lines of text; "" where there are none.

@@ -1,5 +1,6 @@
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/record/error_text.hpp"
+#include "bem_contact/record/found.hpp"
 #include "bem_contact/record/found_parts.hpp"
 
 #include <algorithm>
@@ -64,6 +65,20 @@ std::string range_text(const Record& r, const char* path, const std::string& wor
                      text_of(*stated_at(r, path, *most)), case_text(r, *most));
 }
 
+/// What the sentences of a sweep tell the range of.
+struct RangeOfSweep {
+  const char *name, *words;
+  bool wheelset;
+};
+constexpr RangeOfSweep ranges_of_sweeps[] = {
+    {"pmax", "The largest pressure", false},
+    {"T_gamma", "The work of friction (T-gamma)", false},
+    {"Fy", "The lateral force Fy", false},
+    {"right_pmax", "The largest pressure of the right wheel", true},
+    {"left_pmax", "That of the left wheel", true},
+    {"right_T_gamma", "The work of friction (T-gamma) of the right wheel", true},
+    {"left_T_gamma", "That of the left wheel", true}};
+
 /// What is worn off by one contact: `of` "The right wheel" ...
 std::string rates_text(const Record& rates, const std::string& side) {
   return fmt::format(
@@ -121,19 +136,20 @@ constexpr std::size_t most_of_study = 5; // sentences, besides those about parts
 
 } // namespace
 
+bool is_found_in_sweep(const std::string& name) {
+  const bool swept = name.find('.') != name.npos && name.find('/') == name.npos;
+  return swept || name == "status" || (name.ends_with("_count") && name != "warning_count") ||
+         std::ranges::any_of(ranges_of_sweeps, [&](const RangeOfSweep& range) {
+           return name == range.name || name == error_name(range.name);
+         });
+}
+
 Found of_sweep(const Record& r) {
   Found found{{cases_text(r)}, {}};
-  if (has(r, "right_pmax")) {
-    add_if(found.sentences, range_text(r, "right_pmax", "The largest pressure of the right wheel"));
-    add_if(found.sentences, range_text(r, "left_pmax", "That of the left wheel"));
-    add_if(found.sentences,
-           range_text(r, "right_T_gamma", "The work of friction (T-gamma) of the right wheel"));
-    add_if(found.sentences, range_text(r, "left_T_gamma", "That of the left wheel"));
-  } else {
-    add_if(found.sentences, range_text(r, "pmax", "The largest pressure"));
-    add_if(found.sentences, range_text(r, "T_gamma", "The work of friction (T-gamma)"));
-    add_if(found.sentences, range_text(r, "Fy", "The lateral force Fy"));
-  }
+  const bool wheelsets = has(r, "right_pmax");
+  for (const RangeOfSweep& range : ranges_of_sweeps)
+    if (range.wheelset == wheelsets)
+      add_if(found.sentences, range_text(r, range.name, range.words));
   found.next = {question(r, "Do cracks begin under these loads?", "fatigue"),
                 question(r, "What becomes of the profiles?", "wear")};
   return found;

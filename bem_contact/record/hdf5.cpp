@@ -1,6 +1,7 @@
 #include "bem_contact/record/hdf5.hpp"
 
 #include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/found.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -222,6 +223,10 @@ Record read_hdf5(const std::filesystem::path& file) {
 
 Record read_hdf5_top(const std::filesystem::path& file, const std::string& group) {
   return in_todays_layout(from_h5(read_h5_top(file, group)), file);
+}
+
+Record read_hdf5_for_found(const std::filesystem::path& file) {
+  return in_todays_layout(from_h5(read_h5_where(file, is_found_in_sweep)), file);
 }
 
 } // namespace bem_contact::record

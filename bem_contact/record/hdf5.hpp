@@ -27,5 +27,7 @@ std::string format_of(const std::filesystem::path& file);
 Record read_hdf5(const std::filesystem::path& file);
 /// The same of what lies at the top of a file, and in one group.
 Record read_hdf5_top(const std::filesystem::path& file, const std::string& group = "");
+/// What the words of a sweep need (found.hpp): a long one has many more columns.
+Record read_hdf5_for_found(const std::filesystem::path& file);
 
 } // namespace bem_contact::record

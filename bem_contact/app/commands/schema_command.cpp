@@ -24,7 +24,7 @@ using json = nlohmann::ordered_json;
 constexpr const char* schema_help =
     R"(Lists the keys of a scene: type, unit, range, default and meaning. Example:
     bem_contact schema layer
-You should see the keys of the table [layer], as layer.compliance in mm^3/N.
+You should see the keys of the table [layer], as layer.compliance in mm3/N.
 
 With --json it is a JSON Schema of scenes. Editors that know TOML complete keys and mark wrong values with it:
     bem_contact schema --json > scene.schema.json

@@ -154,7 +154,7 @@ ExitCode say_what_was_found(const AskedSweep& asked, const SweepRequest& request
   if (!request.csv.empty())
     write_csv(csv_files(request.csv), asked.sweep, asked.columns(), file);
   const SweepSummary summary = sweep_summary(file, asked.sweep.size(), head);
-  print_out("{}{}", record::found_text(record::read_hdf5_top(request.output, "patches")), summary.text);
+  print_out("{}{}", record::found_text(record::read_hdf5_for_found(request.output)), summary.text);
   return summary.certified ? success : no_convergence;
 }
 

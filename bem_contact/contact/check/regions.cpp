@@ -110,8 +110,8 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
     out.overlap = std::max(out.overlap, approach[is] - problem.gap[i]);
     if (result.pn[i] > out.pmax) {
       out.pmax = result.pn[i];
-      out.curvature = field.curvature(ix, is);
       out.at_limit = problem.limit_pressure && out.pmax >= *problem.limit_pressure;
+      out.curvature = out.at_limit ? 0 : field.curvature(ix, is); // beside the limit it falls in any grid
     }
   }
   out.fx = sum_of(fx);
