@@ -65,4 +65,4 @@ public:
 #define BEM_CONTACT_LOADED_FUNCTION(library, name) BEM_CONTACT_LOADED_AS(LoadedFunction, library, name)
 #define BEM_CONTACT_LOADED_VARIABLE(library, name) BEM_CONTACT_LOADED_AS(LoadedVariable, library, name)
 #define BEM_CONTACT_LOADED_AS(kind, library, name)                                                           \
-  inline constinit const kind<decltype(::name)> name{library, #name};
+  inline constinit const kind<decltype(::name)> name{library, #name}; // NOLINT(bugprone-macro-parentheses)

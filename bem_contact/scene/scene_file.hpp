@@ -26,7 +26,7 @@ struct FrictionCoefficients {
   /// Distance of slip over which friction follows a slip velocity that changes, mm; empty: at once. And the
   /// velocity with which it does so where nothing slips, mm/s.
   std::optional<double> friction_memory;
-  double memory_velocity = 1;
+  double memory_velocity = 1; ///< that velocity, mm/s
 
   bool operator==(const FrictionCoefficients&) const = default;
 };
@@ -49,7 +49,7 @@ struct SceneFile {
     Material material;                        ///< [rail.material], [wheel.material]
     std::optional<double> limit_pressure =
         {};                 ///< [rail.material]: p_n is no larger, MPa; empty: that of `steel`
-    std::string steel = {}; ///< [rail.material]: name (steels.hpp); "": not given
+    std::string steel = {}; ///< [rail.material]: its name (steels.hpp); empty: not given
     std::string influence;  ///< influence file; "" where only half-space numbers are used
     StructuralCompliance structural = StructuralCompliance::removed; ///< deflection as a whole
 

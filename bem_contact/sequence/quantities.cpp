@@ -140,7 +140,7 @@ constexpr Quantity known_quantities[] = {
      [](const SceneResult& r) { return r.layer.shear.empty() ? none : r.layer_slope; }, Missing::possible},
     {"layer_normal_compliance", compliance_unit, "of the layer under pressure; nan: there is none",
      [](const SceneResult& r) { return r.layer.normal > 0 ? r.layer.normal : none; }, Missing::possible},
-    {"plastic_slip", mm, "largest plastic slip of the layer; nan: it does not yield",
+    {"largest_plastic_slip", mm, "largest plastic slip of the layer; nan: it does not yield",
      [](const SceneResult& r) {
        return r.result.plastic.empty() ? none : std::ranges::max(r.result.plastic);
      },

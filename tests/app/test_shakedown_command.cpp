@@ -65,7 +65,7 @@ TEST_F(ShakedownCommand, OfASteelAndACollective) {
   EXPECT_EQ(run("shakedown '" + file + "' --steel ER77").code, 2);
   const Outcome said = run("shakedown '" + many + "' --steel R260");
   EXPECT_EQ(said.code, 0) << said.err;
-  EXPECT_THAT(said.out, HasSubstr("of 2 patches"));
+  EXPECT_THAT(said.out, HasSubstr("Of 2 patches"));
   const auto json = nlohmann::json::parse(run("shakedown '" + many + "' --json").out);
   EXPECT_EQ(json["patches"]["case"][1], 1);
 }

@@ -63,6 +63,7 @@ class TableCommand(unittest.TestCase):
         with h5py.File(file) as f:
             self.assertEqual(f["axes/motion.eta"][()].tolist(), said["axes"]["motion.eta"])
             self.assertEqual(f["axes/load.force"].attrs["unit"], b"N")
+            self.assertTrue(said["columns"]["Fx"]["held"])
             for name, column in said["columns"].items():
                 if column["held"]:
                     self.assertLessEqual(column["interpolation_error"], 0.05 * column["scale"], name)

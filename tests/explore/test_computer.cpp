@@ -59,7 +59,7 @@ protected:
 
 TEST_F(Computers, TellHowFarTheyAreAndKeepWhatIsThere) {
   write("fem_influence",
-        "echo fem >> $CALLS\necho 'info: a word' >&2\necho 'influence functions: 3/4 1.0 s left' >&2\n"
+        "echo fem >> $CALLS\necho 'info: a word' >&2\nprintf 'progress\\t3/4\\n' >> $BEM_CONTACT_MESSAGES\n"
         "while [ ! -e \"$CALLS.go\" ]; do sleep 0.02; done\ncp \"$1\" \"$4\"\n");
   const std::unique_ptr<Computer> computer = explore::program_computer();
   EXPECT_EQ(computer->missing(), "");
@@ -105,7 +105,8 @@ TEST_F(Computers, EndWithWhoeverHasStartedThem) {
 }
 
 TEST_F(Computers, AFailureIsAMessage) {
-  write("fem_influence", "echo 'error: There is no room (the disk is full) Make some.' >&2\nexit 1\n");
+  write("fem_influence", "printf 'error\\tThere is no room (the disk is full) Make some.\\n' >> "
+                         "$BEM_CONTACT_MESSAGES\nexit 1\n");
   const std::unique_ptr<Computer> computer = explore::program_computer();
   computer->start(bodies_);
   const Computed end = end_of(*computer);

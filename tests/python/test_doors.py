@@ -36,7 +36,8 @@ wheel.profile = "S1002"
 position.rail_inclination = 0.025
 load.force = 4e5
 motion = { friction = 1.2, xi = 0.15 }
-stresses.x = [0]
+stresses.x = [1]
+solver.model = "halfspace"
 grid = { dx = 1.0, ds = 0.5 }
 """
 

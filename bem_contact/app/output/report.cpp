@@ -54,8 +54,8 @@ std::string layer_text(const SceneResult& r) {
     parts.push_back(
         fmt::format("{}{:.4g} mm3/N under pressure", parts.empty() ? "compliance " : "", layer.normal));
   if (const auto& yield = r.problem.yield)
-    parts.push_back(
-        fmt::format("{}; plastic slip at most {}", yield_text(*yield), digits(r, "plastic_slip", 4) + " mm"));
+    parts.push_back(fmt::format("{}; plastic slip at most {}", yield_text(*yield),
+                                digits(r, "largest_plastic_slip", 4) + " mm"));
   return parts.empty() ? "" : fmt::format("layer between the surfaces: {}\n", fmt::join(parts, ", "));
 }
 

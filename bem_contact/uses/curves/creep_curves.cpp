@@ -188,11 +188,8 @@ CreepDerivatives derivatives(std::span<const CreepPoint> points, const Creepages
     for (std::size_t i = 0; i < out.values.size(); ++i) {
       const double whole = slope(0, i, &CreepPoint::forces), half = slope(1, i, &CreepPoint::forces);
       out.values[i][k] = half + (half - whole) / gain;
-      // Both steps tell what larger elements change. Where the two points of one of them join other elements,
-      // because their grids differ by a row, their difference is not one of creepages; the other step tells.
-      const double by_elements = std::fmin(std::abs(whole - slope(0, i, &CreepPoint::coarse)),
-                                           std::abs(half - slope(1, i, &CreepPoint::coarse)));
-      out.errors[i][k] = std::abs(half - whole) + by_elements + local * std::abs(out.values[i][k]);
+      out.errors[i][k] = std::abs(half - whole) + std::abs(whole - slope(0, i, &CreepPoint::coarse)) +
+                         local * std::abs(out.values[i][k]);
     }
   }
   return out;

@@ -39,7 +39,7 @@ struct Column {
   std::string name;        ///< as look-ups name it
   std::string unit;        ///< N, N mm ...; "1": none
   std::string description; ///< in a few words
-  bool held = true;        ///< whether refine() keeps its error within the tolerance
+  bool held = true;        ///< whether refine() keeps its error within the tolerance, jumps too
   double scale = 1;        ///< what errors are relative to, in its unit
   /// Largest difference from a solution in the middle of a cell, or jump within one, in its unit.
   double interpolation_error = std::numeric_limits<double>::quiet_NaN();

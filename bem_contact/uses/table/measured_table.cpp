@@ -151,10 +151,13 @@ void MeasuredTable::state_jumps(std::span<const Point> middles) {
       way.step = std::max(before, after);
     }
   }
-  for (std::size_t k = 0; k < ways.size(); ++k)
-    if (double& stated = table_.columns[ways[k].column].interpolation_error;
-        halves[k].step >= jump_left * ways[k].step)
-      stated = std::max(stated, ways[k].step);
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    if (halves[k].step < jump_left * ways[k].step)
+      continue;
+    Column& column = table_.columns[ways[k].column];
+    column.interpolation_error = std::max(column.interpolation_error, ways[k].step);
+    column.held = column.held && column.interpolation_error <= wanted_.tolerance * column.scale;
+  }
   table_.solved = known_.size();
 }
 
