@@ -167,8 +167,7 @@ void warn_of_kinetic_friction(const ContactProblem& problem, Warnings& out) {
 void warn_of_convergence(const ContactResult& r, Warnings& out) {
   if (r.trust.discretisation && !r.trust.discretisation->converges)
     out.add(WarningKind::no_convergence,
-            fmt::format("the pressure does not converge with the size of the elements ({}), and the stated "
-                        "errors are wide. {}",
+            fmt::format("the pressure does not converge with the size of the elements ({}) {}",
                         why_not_convergent(r),
                         r.trust.discretisation->rough
                             ? "Smooth the profiles (rail.smoothing, wheel.smoothing)."
