@@ -15,6 +15,7 @@ PROGRAM = os.environ["BEM_CONTACT"]
 SIZES = [1_000, 100_000]
 SOLVED = 32  # cases
 MOST = 100  # MB
+FLOOR = 60  # MB: what a child has at most is told from what Python holds when it starts it; less cannot be seen
 SCENE = """kind = "patch"
 motion.friction = 0.3
 grid = { dx = 0.8, ds = 0.8, mx = 12, ms = 12 }
@@ -33,7 +34,7 @@ def memory_of(*arguments):
         _, status, used = os.wait4(run.pid, 0)
         run.returncode = os.waitstatus_to_exitcode(status)
         out.seek(0)
-        return used.ru_maxrss / 1024, run.returncode, out.read().decode()
+        return max(used.ru_maxrss / 1024, FLOOR), run.returncode, out.read().decode()
 
 
 def write_part(solved, file, first, last):
@@ -62,7 +63,7 @@ class Memory(unittest.TestCase):
                 folder = Path(name)
                 scene, parts, output = folder / "s.toml", folder / "parts", folder / "s.h5"
                 scene.write_text(SCENE % (size // 1000) if size > 1000 else SCENE.replace(
-                    "{ from = 0, to = 2e-3, count = %d }", "[1e-3]"))
+                    "{ from = 0, to = 2e-3, count = %d }", "[0.0]"))  # the same first cases
                 memory, code, said = memory_of("sweep", scene, "-o", folder / "solved.h5", "--cases", f"0:{SOLVED}")
                 self.assertEqual(code, 0, said)
                 of_part.append(memory)
