@@ -28,13 +28,13 @@ const patchOf = contact => {
           (patch?.longest > 0 ? " Arrows: shear traction on the rail." : ""), patch];
 };
 
-const addSolid = contact => {
+const addSolid = (contact, shape = "wide") => {
   if (isShaped(contact) && extent(contact))
     addFigure(
         `solid-${contact.name}`,
         "Wheel and rail in place, with the pressure on the patch; the wheel is cut behind it. Turn it with the " +
             "mouse; a click on a name hides or shows that body.",
-        solidFigure(contact, radiusOf(contact)), "wide");
+        solidFigure(contact, radiusOf(contact)), shape);
 };
 
 const addCuts = contact => {
@@ -181,7 +181,7 @@ const WHEELSET = {
   figures: () => {
     for (const wheel of contactsOf(data)) {
       add("h3", titleOf(wheel.name), into, {className: "wide"});
-      addSolid(wheel);
+      addSolid(wheel, "wide screen-only"); // paper has both patches from above
       addContactFigures(wheel);
     }
   },
