@@ -178,7 +178,7 @@ record::Record record_of(const StressesInside& inside) {
   for (std::size_t k = 0; k < inside.areas.size(); ++k)
     sections.add(fmt::format("{}", k + 1), section_record(inside, inside.areas[k]));
   record::Record out{
-      {"side", record::Text{name_of(inside.side)}},
+      {"side", record::Text{std::string(name_of(inside.side))}},
       {"body", record::Text{inside.body}},
       {"poisson", Number{inside.poisson, "1", "Poisson's ratio of the body"}},
       {"traction_error",
@@ -206,11 +206,18 @@ public:
     const std::span<const double> found = record::values_at(file_, folder_ + name);
     return {found.begin(), found.end()};
   }
+  /// Of points and places, which must be numbers.
+  std::vector<double> places(const std::string& name) const {
+    std::vector<double> out = values(name);
+    if (!std::ranges::all_of(out, [](double v) { return std::isfinite(v); }))
+      refuse_stresses(fmt::format("'{}{}' has an entry that is no number", folder_, name));
+    return out;
+  }
   bool holds(const std::string& name) const { return record::has(file_, folder_ + name); }
   double number(const std::string& name) const {
     const auto found = record::number_at(file_, folder_ + name);
-    if (!found)
-      refuse_stresses(fmt::format("'{}{}' is missing", folder_, name));
+    if (!found || !std::isfinite(*found))
+      refuse_stresses(fmt::format("'{}{}' is missing or no number", folder_, name));
     return *found;
   }
   std::vector<Passage> tensors(const std::string& prefix, std::size_t points, std::size_t places) const {
@@ -233,15 +240,15 @@ private:
 
 AreaStresses area_from(const Reader& read, bool has_body) {
   AreaStresses out;
-  const std::vector<double> s = read.values("s"), depth = read.values("depth");
-  out.x = read.values("x");
+  const std::vector<double> s = read.places("s"), depth = read.places("depth");
+  out.x = read.places("x");
   if (s.empty() || depth.empty() || out.x.empty())
     refuse_stresses("it has no points");
   if (read.holds("s_knots")) {
     out.rows = s.size();
     out.depths = depth.size();
-    Section section{s, depth, {}, read.values("s_knots"), read.values("depth_knots"), read.number("size")};
-    for (const double column : read.values("columns"))
+    Section section{s, depth, {}, read.places("s_knots"), read.places("depth_knots"), read.number("size")};
+    for (const double column : read.places("columns"))
       section.columns.push_back(static_cast<int>(column));
     if (section.columns.size() != out.x.size() || section.s_knots.size() < 2 ||
         section.depth_knots.size() < 2)
@@ -277,7 +284,10 @@ StressesInside stresses_from(const record::Record& file) {
     refuse_stresses("it is of another kind");
   const Reader top(file, "");
   StressesInside out;
-  out.side = record::text_at(file, "side") == std::string_view("wheel") ? Side::wheel : Side::rail;
+  const auto side = value_named<Side>(record::text_at(file, "side").value_or(""));
+  if (!side)
+    refuse_stresses("'side' is missing, or names no body");
+  out.side = *side;
   out.body = record::text_at(file, "body").value_or("");
   out.poisson = top.number("poisson");
   out.traction_error = top.number("traction_error");

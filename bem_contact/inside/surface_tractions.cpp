@@ -99,10 +99,6 @@ SurfaceTractions turned(const SurfaceTractions& rail, std::span<const double> wh
 
 } // namespace
 
-const char* name_of(Side side) {
-  return side == Side::rail ? "rail" : "wheel";
-}
-
 bool SurfaceTractions::has_shear() const {
   const auto any = [](const std::vector<double>& field) {
     return std::ranges::any_of(field, [](double p) { return p != 0; });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/base/conventions.hpp"
+#include "bem_contact/base/enum_names.hpp"
 #include "bem_contact/record/record.hpp"
 
 #include <array>
@@ -12,7 +13,14 @@ namespace bem_contact::inside {
 
 /// Which of the two bodies of a contact. Of a patch given directly, `rail` is the lower one.
 enum class Side { rail, wheel };
-const char* name_of(Side side); ///< "rail", "wheel"
+
+} // namespace bem_contact::inside
+
+template <> struct bem_contact::EnumNames<bem_contact::inside::Side> {
+  static constexpr std::array<std::string_view, 2> names{"rail", "wheel"};
+};
+
+namespace bem_contact::inside {
 
 /// Tractions on the surface of one body, constant on each element, in the body's own frame (x, s, n) with n
 /// into it (base/conventions.hpp); MPa.

@@ -25,7 +25,8 @@ std::string place_of(double delta) {
                      : delta > -gauge_corner ? "the top of the rail"
                      : delta > -flange       ? "the gauge corner"
                                              : "the flank of the flange";
-  return fmt::format("{} ({:.0f} degrees steep)", name, degrees(std::abs(delta)));
+  const double steep = std::round(degrees(std::abs(delta)));
+  return fmt::format("{} ({:.0f} {} steep)", name, steep, steep == 1 ? "degree" : "degrees");
 }
 
 /// "in one place, the gauge corner (31 degrees steep)"; the share of each of several.
@@ -76,31 +77,27 @@ std::string forces_text(const Record& result) {
                                      : fmt::format(", where the wheelset stands {} to the right", lateral));
 }
 
-constexpr double least_shown = 5e-4; // of a value: less prints as 0.0 %
+constexpr double least_shown = 5e-4; // 1: less prints as 0.0 %
 
-/// Less the reference, in % of it; "" where that is nothing.
-std::string percent_less(const Record& set, const std::string& model, const std::string& reference,
-                         const char* quantity) {
-  const auto of = [&](const std::string& name) {
-    return stated_at(set, fmt::format("{}/quantities/{}", name, quantity));
-  };
-  const auto a = of(model), b = of(reference);
-  return a && b && std::abs(a->value - b->value) >= least_shown * std::abs(b->value)
-             ? fmt::format("{:+.1f} %", 100 * (a->value - b->value) / std::abs(b->value))
+/// " (fem less this -1.3 %)": as the table of the comparison has it; "" where that is nothing, or no share.
+std::string difference_text(const Record& set, const std::string& model, const std::string& reference,
+                            const char* quantity) {
+  const auto difference = number_at(set, fmt::format("difference/{}/{}", model, quantity));
+  return difference && std::abs(*difference) >= least_shown
+             ? fmt::format(" ({} less this: {:+.1f} %)", reference, 100 * *difference)
              : "";
 }
 
-/// "the half-space's largest pressure is 1885 +- 8 MPa (+1.3 %)" for each model, the reference first.
+/// "The largest pressure is 1861 +- 19 MPa by fem, 1885 +- 38 MPa by halfspace (fem less this: -1.3 %)": the
+/// reference first. `shares`: whether the differences are shares of the value.
 std::string models_text(const Record& set, const std::vector<std::string>& models, const char* quantity,
-                        const char* words) {
+                        const char* words, bool shares = true) {
   std::string out;
   for (const std::string& model : models) {
     const std::string value = said(set, fmt::format("{}/quantities/{}", model, quantity));
-    const std::string less =
-        model == models.front() ? "" : percent_less(set, model, models.front(), quantity);
     if (!value.empty())
       out += fmt::format("{} {} by {}{}", out.empty() ? fmt::format("{} is", words) : ",", value, model,
-                         less.empty() ? "" : fmt::format(" ({})", less));
+                         shares ? difference_text(set, model, models.front(), quantity) : "");
   }
   return out.empty() ? "" : out + ".";
 }
@@ -164,7 +161,7 @@ Found of_comparison(const Record& r) {
   add_if(found.sentences, models_text(set, models, "area", "The area in contact"));
   add_if(found.sentences, models_text(set, models, "T_gamma", "The work of friction (T-gamma)"));
   add_if(found.sentences,
-         models_text(set, models, "free_rolling_radius", "The rolling radius of free rolling"));
+         models_text(set, models, "free_rolling_radius", "The rolling radius of free rolling", false));
   found.next.push_back(question(r, "What happens as a key varies?", "sweep"));
   found.next.push_back(question(r, "Does the steel below yield?", "shakedown"));
   return found;

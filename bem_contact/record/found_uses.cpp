@@ -96,9 +96,9 @@ std::string cracks_text(const Record& r) {
   std::string why;
   if (surface > 0)
     why = fmt::format(
-        "{} of {} beyond the shakedown limit of the surface (mu used less k/p0 is {} at most, 0 is "
+        "{} of {} {} beyond the shakedown limit of the surface (mu used less k/p0 is {} at most, 0 is "
         "the limit)",
-        surface, counted(all, "patch is", "patches are"),
+        surface, counted(all, "patch", "patches"), surface == 1 ? "is" : "are",
         text_of(*stated_at(r, "patches/FI_surf", *largest_of(r, "patches/FI_surf"))));
   if (below > 0)
     why += fmt::format("{}{} beyond the limit below it", why.empty() ? "" : ", and ",
@@ -204,10 +204,14 @@ Found of_conicity_map(const Record& r) {
   const auto count = std::ptrdiff_t(values_at(r, "map/tan_gamma").size());
   Found found{{counted(count, "wheelset was", "wheelsets were") + " looked at."}, {}};
   const auto least = smallest_of(r, "map/tan_gamma"), most = largest_of(r, "map/tan_gamma");
-  if (least && most)
-    found.sentences.push_back(fmt::format("Their equivalent conicity at {} goes from {:.3f} to {:.3f}.",
-                                          said(r, "amplitude"), values_at(r, "map/tan_gamma")[*least],
-                                          values_at(r, "map/tan_gamma")[*most]));
+  if (least && most) {
+    const std::span<const double> conicities = values_at(r, "map/tan_gamma");
+    found.sentences.push_back(count == 1
+                                  ? fmt::format("The equivalent conicity at {} is {:.3f}.",
+                                                said(r, "amplitude"), conicities[*least])
+                                  : fmt::format("Their equivalent conicity at {} goes from {:.3f} to {:.3f}.",
+                                                said(r, "amplitude"), conicities[*least], conicities[*most]));
+  }
   if (const auto play = smallest_of(r, "map/play"))
     found.sentences.push_back(
         fmt::format("The least play is {}.", text_of(*stated_at(r, "map/play", *play))));
@@ -215,6 +219,7 @@ Found of_conicity_map(const Record& r) {
     found.sentences.push_back(
         fmt::format("The scatter of the profiles moves it by {:.3f} at most (standard deviation).",
                     values_at(r, "map/tan_gamma_spread")[*spread]));
+  found.next = {question(r, "What do both wheels bear on such profiles?", "wheelset")};
   return found;
 }
 

@@ -49,7 +49,8 @@ const folded = (title, id, fill, more = {}) => {
   const fold = add("details", "", into, {id: idPrefix + id, ...more});
   add("summary", title, fold);
   inside(fold, fill);
-  fold.hidden = fold.childElementCount < 2;
+  if (fold.childElementCount < 2)
+    fold.remove();
 };
 
 /// What was found, or what the file is.

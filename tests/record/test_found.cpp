@@ -62,7 +62,7 @@ TEST(Found, ContactsSayWhereHowHardAndWhatIsDissipated) {
   // The same inclination upwards is the field side; each of two patches has its share of the force.
   EXPECT_THAT(
       found_in(contact({6e4, 2e4}, {0.02, -1.2}), "result").sentences.front(),
-      "The wheel touches the rail in 2 places: 75 % of the normal force at the top of the rail (1 degrees "
+      "The wheel touches the rail in 2 places: 75 % of the normal force at the top of the rail (1 degree "
       "steep), 25 % of the normal force at the flank of the flange (69 degrees steep).");
   EXPECT_THAT(found_in(contact({8e4}, {0.54}), "result").sentences.front(), HasSubstr("the field side"));
   EXPECT_THAT(found_in(contact({}, {}), "result").sentences,
@@ -95,7 +95,7 @@ Record fatigue(double surface, double below, double damage) {
 TEST(Found, CracksSayYesOrNoAndWhy) {
   EXPECT_THAT(
       found_in(fatigue(1, 0, 0)).sentences,
-      ElementsAre("Cracks: yes. 1 of 2 patches are beyond the shakedown limit of the surface (mu used "
+      ElementsAre("Cracks: yes. 1 of 2 patches is beyond the shakedown limit of the surface (mu used "
                   "less k/p0 is 0.158 at most, 0 is the limit): the steel flows there with every passage.",
                   HasSubstr("182 N at most) cracks do not grow")));
   EXPECT_THAT(found_in(fatigue(0, 0, 2e-6)).sentences,

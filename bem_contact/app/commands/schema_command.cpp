@@ -31,7 +31,7 @@ With --json it is a JSON Schema of scenes. Editors that know TOML complete keys 
 Then write as the first line of a scene (taplo, "Even Better TOML" in VS Code):
     #:schema ./scene.schema.json)";
 
-/// JSON Schema's word; null: any number of such values.
+/// JSON Schema's word.
 const char* json_type(KeyType type) {
   switch (type) {
   case KeyType::number:

@@ -69,14 +69,14 @@ ExitCode run(const StressesArguments& a) {
                                              {"--csv", a.csv, OutputForm::text},
                                              {"--vtu", a.vtu, OutputForm::text}});
   const inside::StressesInside stresses = stresses_of(a);
-  const auto record = [&] { return headed(stresses_format).append(record_of(stresses)); };
+  const record::Record answer = headed(stresses_format).append(record_of(stresses));
   if (!a.output.empty())
-    record::write_hdf5(a.output, record());
+    record::write_hdf5(a.output, answer);
   if (!a.csv.empty())
     write_text(a.csv, [&](std::ostream& out) { write_csv(out, stresses); });
   if (!a.vtu.empty())
     write_text(a.vtu, [&](std::ostream& out) { write_vtu(out, stresses); });
-  print_answer(record(), a.json, text_of(stresses));
+  print_answer(answer, a.json, text_of(stresses));
   return success;
 }
 

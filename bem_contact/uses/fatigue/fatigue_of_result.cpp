@@ -3,6 +3,7 @@
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
+#include "bem_contact/sequence/load_collective.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
 #include "bem_contact/uses/fatigue/shakedown.hpp"
@@ -153,10 +154,7 @@ CollectiveFatigue fatigue_of(const SweepFile& sweep, const FatigueProperties& pr
   Sequence sequence({.displacements = false});
   double weights = 0;
   for (std::size_t i = 0; i < sweep.size(); ++i) {
-    const SceneResult result = sequence.solve(sweep.scene(i), stop);
-    if (!certified(result))
-      throw ConvergenceError(fmt::format("Case {} has no certified result", i), sweep.describe(i),
-                             "Solve it alone to see why.");
+    const SceneResult result = solve_of_collective(sequence, sweep, i, stop);
     const Fatigue f = fatigue_of(result, properties);
     std::size_t number = 0;
     for (const PatchFatigue& patch : f.patches) {
@@ -174,11 +172,7 @@ CollectiveFatigue fatigue_of(const SweepFile& sweep, const FatigueProperties& pr
 std::span<const ColumnOf<CollectivePatch>> collective_columns() {
   using P = CollectivePatch;
   static const std::vector<ColumnOf<P>> columns = [] {
-    std::vector<ColumnOf<P>> all{
-        {"case", "1", "of the sweep, from 0", [](const P& p) { return double(p.index); }},
-        {"patch", "1", "of the case, from 1, the largest force first",
-         [](const P& p) { return double(p.patch); }},
-        {"weight", "1", "how often the case occurs", [](const P& p) { return p.weight; }}};
+    std::vector<ColumnOf<P>> all = columns_of_case<P>();
     all.insert(all.end(), columns_of<P>.begin(), columns_of<P>.end());
     all.insert(
         all.end(),

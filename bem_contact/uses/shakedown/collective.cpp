@@ -3,9 +3,10 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/parallel.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
+#include "bem_contact/sequence/load_collective.hpp"
 #include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/uses/shakedown/fatigue_limits.hpp"
 #include "bem_contact/uses/shakedown/patch_columns.hpp"
-#include "bem_contact/uses/shakedown/steels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -106,12 +107,8 @@ CollectiveShakedown shakedown_of(const SweepFile& sweep, const ShakedownProperti
   const auto at_once = static_cast<std::size_t>(std::max(1, threads));
   for (std::size_t from = 0; from < sweep.size(); from += at_once) {
     std::vector<SceneResult> results;
-    for (std::size_t i = from; i < std::min(from + at_once, sweep.size()); ++i) {
-      results.push_back(sequence.solve(sweep.scene(i), stop));
-      if (!certified(results.back()))
-        throw ConvergenceError(fmt::format("Case {} has no certified result", i), sweep.describe(i),
-                               "Solve it alone to see why.");
-    }
+    for (std::size_t i = from; i < std::min(from + at_once, sweep.size()); ++i)
+      results.push_back(solve_of_collective(sequence, sweep, i, stop));
     cases.resize(from + results.size());
     in_parts(threads, static_cast<int>(results.size()), [&](int first, int end, int) {
       for (int i = first; i < end; ++i)
@@ -159,11 +156,7 @@ std::string in_words(const CollectiveShakedown& found, const ShakedownProperties
 std::span<const ColumnOf<CollectivePatch>> collective_columns() {
   using P = CollectivePatch;
   static const std::vector<ColumnOf<P>> columns = [] {
-    std::vector<ColumnOf<P>> all{
-        {"case", "1", "of the sweep, from 0", [](const P& p) { return double(p.index); }},
-        {"patch", "1", "of the case, from 1, the largest force first",
-         [](const P& p) { return double(p.patch); }},
-        {"weight", "1", "how often the case occurs", [](const P& p) { return p.weight; }}};
+    std::vector<ColumnOf<P>> all = columns_of_case<P>();
     all.insert(all.end(), columns_of_patch<P>().begin(), columns_of_patch<P>().end());
     return all;
   }();

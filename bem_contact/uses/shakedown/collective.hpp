@@ -39,7 +39,7 @@ struct CollectiveShakedown {
 };
 
 /// Solves each case of a sweep, and asks for the shakedown of each. Damages of cases sum up at each point
-/// after Miner (Dang Van's stress against the Woehler line of steels.hpp). `threads` work side by side; the
+/// after Miner (Dang Van's stress against the Woehler line of fatigue_limits.hpp). `threads` work side by side; the
 /// numbers do not depend on how many. Throws InputError for wrong properties, ConvergenceError where a case
 /// has no certified result, and Stopped soon after another thread sets `stop`.
 CollectiveShakedown shakedown_of(const SweepFile& sweep, const ShakedownProperties& properties,

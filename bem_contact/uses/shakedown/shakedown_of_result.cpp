@@ -4,9 +4,9 @@
 #include "bem_contact/sequence/scene_result.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
 #include "bem_contact/uses/shakedown/fatigue_criteria.hpp"
+#include "bem_contact/uses/shakedown/fatigue_limits.hpp"
 #include "bem_contact/uses/shakedown/melan.hpp"
 #include "bem_contact/uses/shakedown/residual_fields.hpp"
-#include "bem_contact/uses/shakedown/steels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,11 +37,11 @@ double ShakedownProperties::crossland() const {
 }
 
 ShakedownProperties properties_of(const std::string& name) {
-  const Steel& steel = steel_of(name);
+  const Steel& steel = steel_named(name);
   ShakedownProperties out;
   out.yield_shear = steel.yield_shear().value_or(out.yield_shear);
-  out.dang_van_a = Steel::dang_van_a();
-  out.fatigue_limit = steel.torsion_limit();
+  out.dang_van_a = dang_van_a_of_steels();
+  out.fatigue_limit = torsion_limit(steel);
   out.steel = steel.name;
   return out;
 }

@@ -29,7 +29,7 @@ struct ShakedownProperties {
   bool operator==(const ShakedownProperties&) const = default;
 };
 
-/// Those of a named steel (steels.hpp): fatigue limit, Dang Van's a and, if its standard has a yield
+/// Those of a named steel (scene/steels.hpp): fatigue limit, Dang Van's a and, if its standard has a yield
 /// strength, k. Throws InputError for an unknown name.
 ShakedownProperties properties_of(const std::string& steel);
 

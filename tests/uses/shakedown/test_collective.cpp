@@ -1,7 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/uses/shakedown/collective.hpp"
-#include "bem_contact/uses/shakedown/steels.hpp"
+#include "bem_contact/uses/shakedown/fatigue_limits.hpp"
 #include "tests/base/message.hpp"
 
 #include <gmock/gmock.h>
@@ -54,12 +54,12 @@ TEST(CollectiveShakedown, DoesNotDependOnThreads) {
 }
 
 TEST(Steels, HaveTheValuesOfTheirStandards) {
-  EXPECT_EQ(steel_of("R260").tensile_strength, 880);
-  EXPECT_FALSE(steel_of("R260").yield_shear());
-  EXPECT_NEAR(steel_of("ER7").yield_shear().value(), 520 / std::sqrt(3.0), 1e-9);
-  EXPECT_NEAR(steel_of("ER7").torsion_limit(), 0.45 * 0.577 * 820, 1e-9);
-  EXPECT_NEAR(Steel::dang_van_a(), 0.231, 1e-12);
-  EXPECT_THAT(message_of([] { steel_of("R350T"); }), HasSubstr("Did you mean R350HT"));
+  EXPECT_EQ(steel_named("R260").tensile_strength, 880);
+  EXPECT_FALSE(steel_named("R260").yield_shear());
+  EXPECT_NEAR(steel_named("ER7").yield_shear().value(), 520 / std::sqrt(3.0), 1e-9);
+  EXPECT_NEAR(torsion_limit(steel_named("ER7")), 0.45 * 0.577 * 820, 1e-9);
+  EXPECT_NEAR(dang_van_a_of_steels(), 0.231, 1e-12);
+  EXPECT_THAT(message_of([] { steel_named("R350T"); }), HasSubstr("Did you mean R350HT"));
   EXPECT_EQ(properties_of("R260").yield_shear, 300);
   EXPECT_EQ(properties_of("ER8").steel, "ER8");
 }
