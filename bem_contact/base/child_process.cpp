@@ -90,7 +90,8 @@ ChildProcess::~ChildProcess() {
   }
 }
 
-std::optional<std::string> ChildProcess::next_line(const std::atomic<bool>* stop) {
+std::optional<std::string> ChildProcess::next_line(const std::atomic<bool>* stop,
+                                                   const std::function<void()>& meanwhile) {
   constexpr int patience = 100; // ms, after which `stop` is looked at
   char bytes[4096];
   while (!stop || !*stop) {
@@ -100,8 +101,11 @@ std::optional<std::string> ChildProcess::next_line(const std::atomic<bool>* stop
       return line;
     }
     pollfd ready{.fd = messages_, .events = POLLIN, .revents = 0};
-    if (stop && poll(&ready, 1, patience) == 0)
+    if (stop && poll(&ready, 1, patience) == 0) {
+      if (meanwhile)
+        meanwhile();
       continue;
+    }
     const ssize_t count = read(messages_, bytes, sizeof bytes);
     if (count > 0)
       rest_.append(bytes, static_cast<std::size_t>(count));

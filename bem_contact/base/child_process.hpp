@@ -25,8 +25,9 @@ public:
   ChildProcess& operator=(const ChildProcess&) = delete;
 
   /// Waits for the next line on its standard error. Nothing: there will be none, or another thread has set
-  /// `stop` (null: none will).
-  std::optional<std::string> next_line(const std::atomic<bool>* stop = nullptr);
+  /// `stop` (null: none will). With a stop, `meanwhile` is called ten times a second while nothing comes.
+  std::optional<std::string> next_line(const std::atomic<bool>* stop = nullptr,
+                                       const std::function<void()>& meanwhile = {});
   /// Waits until it has ended. Its exit code, or -1 for a signal, which `how` then names.
   int wait(std::string& how);
 

@@ -108,7 +108,7 @@ private:
       _exit(1); // a normal end takes locks that other threads may have held
     });
     std::string last; // of what stands on standard error: a library may end the program
-    while (const auto said = child.next_line(&stop_)) {
+    while (const auto said = child.next_line(&stop_, take)) {
       last = *said;
       take();
     }

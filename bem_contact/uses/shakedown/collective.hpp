@@ -39,9 +39,9 @@ struct CollectiveShakedown {
 };
 
 /// Solves each case of a sweep, and asks for the shakedown of each. Damages of cases sum up at each point
-/// after Miner (Dang Van's stress against the Woehler line of fatigue_limits.hpp). `threads` work side by side; the
-/// numbers do not depend on how many. Throws InputError for wrong properties, ConvergenceError where a case
-/// has no certified result, and Stopped soon after another thread sets `stop`.
+/// after Miner (Dang Van's stress against the Woehler line of fatigue_limits.hpp). `threads` work side by
+/// side; the numbers do not depend on how many. Throws InputError for wrong properties, ConvergenceError
+/// where a case has no certified result, and Stopped soon after another thread sets `stop`.
 CollectiveShakedown shakedown_of(const SweepFile& sweep, const ShakedownProperties& properties,
                                  int threads = 1, const std::atomic<bool>* stop = nullptr);
 
