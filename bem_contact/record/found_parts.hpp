@@ -34,6 +34,12 @@ void add_if(std::vector<std::string>& lines, std::string line);
 /// "Does the steel below yield? bem_contact shakedown curve.toml"
 std::string question(const Record& answer, const char* asks, const char* command);
 
+/// Of a sweep: whether it is a replay, whether the sentences of one need this entry, and these sentences:
+/// where the run's own numbers differ most from ours, and how many steps were solved.
+bool is_replay(const Record& record);
+bool is_of_replay(std::string_view name);
+std::vector<std::string> sentences_of_replay(const Record& record);
+
 Found of_result(const Record&);
 Found of_comparison(const Record&);
 Found of_wheelset(const Record&);

@@ -138,7 +138,8 @@ constexpr std::size_t most_of_study = 5; // sentences, besides those about parts
 
 bool is_found_in_sweep(const std::string& name) {
   const bool swept = name.find('.') != name.npos && name.find('/') == name.npos;
-  return swept || name == "status" || (name.ends_with("_count") && name != "warning_count") ||
+  return swept || is_of_replay(name) || name == "status" ||
+         (name.ends_with("_count") && name != "warning_count") ||
          std::ranges::any_of(ranges_of_sweeps, [&](const RangeOfSweep& range) {
            return name == range.name || name == error_name(range.name);
          });
@@ -146,12 +147,20 @@ bool is_found_in_sweep(const std::string& name) {
 
 Found of_sweep(const Record& r) {
   Found found{{cases_text(r)}, {}};
+  if (is_replay(r)) {
+    std::vector<std::string> of_replay = sentences_of_replay(r);
+    of_replay.back() += " " + cases_text(r);
+    found.sentences = std::move(of_replay);
+  }
   const bool wheelsets = has(r, "right_pmax");
   for (const RangeOfSweep& range : ranges_of_sweeps)
     if (range.wheelset == wheelsets)
       add_if(found.sentences, range_text(r, range.name, range.words));
   found.next = {question(r, "Do cracks begin under these loads?", "fatigue"),
                 question(r, "What becomes of the profiles?", "wear")};
+  if (is_replay(r)) // those take the cases of [sweep]
+    found.next = {"How do the forces go over time? bem_contact report R.h5 -o R.html",
+                  question(r, "Which forces can the vehicle program look up instead?", "table")};
   return found;
 }
 

@@ -7,6 +7,9 @@ const FORCES = {
   Mz: {colour: INK, dash: "dashdot", mark: "diamond-open"}
 };
 
+/// What a run's own contact model has, beside ours.
+const OF_RUN = {colour: BOUND, dash: "dot", mark: "x"};
+
 const lineOver = (x, y, name, {colour, dash, mark}, errors, cases) => ({
   type: "scatter", mode: "lines+markers", x, y, name, customdata: cases, line: {color: colour, width: 1.8, dash},
   marker: {symbol: mark, size: 6, color: colour},
@@ -55,6 +58,9 @@ const creepFigure = (data, which) => {
                                         yaxis2: {title: "Mz, N mm", overlaying: "y", side: "right", showgrid: false},
                                         legend: ABOVE, margin: {r: 70}}};
 };
+
+/// The time of a replay, carried along with its steps.
+const TIME = "note.time";
 
 /// The keys that a sweep varies.
 const sweptKeys = data => Object.keys(data.patches ?? data)
@@ -132,7 +138,7 @@ const sweepFigure = (data, keys, key, names) => {
     cases.sort((a, b) => over.values[a] - over.values[b]);
     for (const name of names) {
       const of = ofEither(name); // of wheelsets: the colour of the number, dashed for the left wheel
-      const known = FORCES[of] ?? {colour: of === "pmax" ? PRESSURE[1][1] : INK, dash: "solid", mark: "circle"};
+      const known = name.endsWith("_of_run") ? OF_RUN : FORCES[of] ?? {colour: of === "pmax" ? PRESSURE[1][1] : INK, dash: "solid", mark: "circle"};
       const style = of === name ? known : {...known, dash: name.startsWith("left_") ? "dash" : "solid"};
       const pick = column => cases.map(i => column.values[i]);
       const which = of === name ? name : `${name.split("_")[0]} wheel`;
@@ -140,7 +146,7 @@ const sweepFigure = (data, keys, key, names) => {
       traces.push(lineOver(pick(over), pick(data[name]), label,
                            groups.size > 1 ? {...style, mark: marks[count % marks.length]} : style,
                            data[`${name}_error`] && pick(data[`${name}_error`]), cases));
-      traces.at(-1).mode = key ? "lines+markers" : "markers";
+      traces.at(-1).mode = key === TIME ? "lines" : key ? "lines+markers" : "markers";
     }
     ++count;
   }

@@ -49,14 +49,16 @@ const addCaseView = () => {
 
 const variedKeys = () => sweptKeys(data).filter(k => new Set(data[k].values).size > 1);
 const ofWheelsets = () => "right_share" in data;
-const sweepViews = () => VIEWS[ofWheelsets() ? "sweep of wheelsets" : "sweep"];
+const isReplay = () => "solved" in data; // of a vehicle program's run
+const sweepViews = () => VIEWS[isReplay() ? "replay" : ofWheelsets() ? "sweep of wheelsets" : "sweep"];
 /// Both wheels' columns of a name; itself where both have one.
 const ofWheels = name => name in data ? [name] : [`right_${name}`, `left_${name}`];
 let showCase; // of the sweep that is added
 
 const sweepFigures = () => {
-  const keys = variedKeys(), key = leadingKey(data, keys), click = index => showCase?.(index), out = [];
-  if (!ofWheelsets() && data.patches?.y.values.some(y => y !== null))
+  const keys = isReplay() ? [] : variedKeys(), click = index => showCase?.(index), out = [];
+  const key = isReplay() && TIME in data ? TIME : leadingKey(data, keys);
+  if (!ofWheelsets() && !isReplay() && data.patches?.y.values.some(y => y !== null))
     out.push([
       "patches-over-y",
       "Where the patches lie on the rail: each bar is as wide as its patch; larger marks carry larger normal forces, " +
@@ -65,8 +67,8 @@ const sweepFigures = () => {
     ]);
   for (const names of sweepViews()
            .figures.filter(([name]) => key !== `position.${name}`)
-           .map(names => names.flatMap(ofWheels)))
-    if (names.every(name => name in data))
+           .map(names => isReplay() ? names.filter(name => name in data) : names.flatMap(ofWheels)))
+    if (names.length && names.every(name => name in data))
       out.push([
         `over-${names.join("-")}`,
         `${[...new Set(names.map(ofEither))].map(words).join(" and ")} over the ${key ? words(key) : "cases"}.`,
@@ -83,7 +85,8 @@ const SWEEP = {
       addFigure(...figure);
   },
   tables: () => {
-    const keys = variedKeys(), columns = sweepViews().columns.flatMap(ofWheels);
+    const keys = isReplay() ? [TIME].filter(name => name in data) : variedKeys();
+    const columns = sweepViews().columns.flatMap(ofWheels).filter(name => name in data);
     const cell = (name, i) => inDegrees(
         number(data[name].values[i], data[`${name}_error`]?.values[i]), data[name].values[i], data[name].unit);
     addTable(

@@ -17,6 +17,8 @@ constexpr std::string_view of_compare[] = {"models", "strict", "threads"},
                            of_conicity[] = {"roll", "step", "to"},
                            of_creep_curves[] = {"eta", "jobs", "model", "phi", "strict", "xi"},
                            of_fatigue[] = {"damage", "nodes", "wear_is_negative", "yield_shear"},
+                           of_replay[] = {"columns", "compare",   "jobs",  "model",
+                                          "strict",  "tolerance", "wheel", "wheels"},
                            of_shakedown[] = {"crossland", "dang_van", "fatigue_limit",
                                              "in_plane",  "steel",    "yield_shear"},
                            of_table[] = {"jobs", "model", "most_points", "tolerance"},
@@ -29,9 +31,9 @@ struct OptionTable {
   std::span<const std::string_view> keys;
 };
 constexpr OptionTable option_tables[] = {
-    {"compare", of_compare}, {"conicity", of_conicity},   {"creep_curves", of_creep_curves},
-    {"fatigue", of_fatigue}, {"shakedown", of_shakedown}, {"table", of_table},
-    {"wear", of_wear}};
+    {"compare", of_compare}, {"conicity", of_conicity}, {"creep_curves", of_creep_curves},
+    {"fatigue", of_fatigue}, {"replay", of_replay},     {"shakedown", of_shakedown},
+    {"table", of_table},     {"wear", of_wear}};
 
 void require_known(const std::string& table, const std::string& key, const std::string& where) {
   std::vector<std::string> names = keys_of_table(table);

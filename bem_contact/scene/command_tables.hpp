@@ -11,9 +11,9 @@ namespace bem_contact {
 
 /// Tables of a scene file that commands read. No scene depends on them: it is the same with and without. The
 /// table [wear] is one of a scene (the wear map) and of a command.
-inline constexpr std::string_view command_tables[] = {"sweep",    "table",       "creep_curves",
-                                                      "conicity", "fatigue",     "shakedown",
-                                                      "compare",  "uncertainty", "influence"};
+inline constexpr std::string_view command_tables[] = {"sweep",     "table",     "creep_curves", "conicity",
+                                                      "fatigue",   "shakedown", "compare",      "uncertainty",
+                                                      "influence", "replay"};
 
 /// Keys of such a table, or of [wear], that are options of the command of its name; none of a table that has
 /// none, or is read elsewhere. Lists of [table] are axes.

@@ -238,6 +238,10 @@ struct Reader {
 
 } // namespace
 
+std::string SweepFile::Axis::unit() const {
+  return key == time_note ? "s" : unit_of_key(key);
+}
+
 std::size_t SweepFile::size() const {
   std::size_t n = 1;
   for (const Axis& axis : axes)

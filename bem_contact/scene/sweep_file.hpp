@@ -41,6 +41,8 @@ struct CaseRange {
 /// because bodies should change least often. Cases that follow each other should be alike, because each
 /// starts from the one before. Each case is the scene with its values, and is checked like any scene.
 struct SweepFile {
+  static constexpr const char* time_note = "note.time"; ///< the key of a replay's time
+
   struct Axis {
     std::string key;
     std::vector<SchemaValue> values;
@@ -51,6 +53,7 @@ struct SweepFile {
     std::vector<int> lines = {}; ///< of each value in that file; empty: `line`
 
     bool is_note() const { return key.starts_with(CaseTable::Column::note_prefix); } ///< no key of the scene
+    std::string unit() const; ///< of the key, s of the time of a replay, "" for none
   };
 
   SceneText text;              ///< with the table
@@ -62,6 +65,18 @@ struct SweepFile {
   /// and the tables of `together`.
   std::vector<NamedFile> tables = {};
   std::optional<bool> fields = {}; ///< whether fields of each case are kept, not only its totals
+
+  /// The cases are the steps of a vehicle program's run (uses/sweep/replay_file.hpp).
+  struct Replay {
+    /// A step is not solved if what lies between two solved steps is known within so many stated errors.
+    double tolerance = 0;
+    struct Compared {
+      std::string quantity, unit; ///< of sequence/quantities.hpp; of the numbers
+      std::vector<double> of_run; ///< what the run's own contact model gave, one a step
+    };
+    std::vector<Compared> compared = {};
+  };
+  std::optional<Replay> replay = {};
 
   std::size_t size() const;
   CaseRange all() const { return {0, size()}; }

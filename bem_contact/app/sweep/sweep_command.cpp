@@ -1,7 +1,6 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/output_names.hpp"
-#include "bem_contact/app/sweep/sweep_csv.hpp"
-#include "bem_contact/app/sweep/sweep_on_cores.hpp"
+#include "bem_contact/app/sweep/whole_sweep.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
@@ -56,22 +55,16 @@ More, and wheelsets: data/tutorial/sweep.md, data/tutorial/wheelset.md.
 Exit code 0: every case is certified (--cases: the file is written). 2: the input is wrong. 3: a case is missing or not
 certified.)";
 
-struct SweepRequest {
-  std::string scene, output, csv, model;
-  int jobs = 0;                   ///< processes; 0: one for each core
+struct PartsRequest : SweepRequest {
   std::string cases;              ///< "3200:6400"; "": all
   std::vector<std::string> parts; ///< to be joined
   bool count = false;             ///< solve nothing: say how many cases there are
   bool all_cases = false;         ///< of --join: a missing case is an error
   bool damaged = false;           ///< of --join: only name the parts that are damaged
-  bool strict = false;            ///< a case with a warning is refused
   std::vector<std::string> gone;  ///< options of former versions
-
-  /// What changes the results besides the scene.
-  std::string options() const { return model + (strict ? " strict" : ""); }
 };
 
-[[noreturn]] void refuse_gone(const SweepRequest&) {
+[[noreturn]] void refuse_gone(const PartsRequest&) {
   throw InputError(
       "--part and --merge are gone", "a part of a sweep is now a command of its own",
       "Solve some cases with -o PART.h5 --cases 0:3200, and join the parts with --join PARTS/*.h5; "
@@ -97,71 +90,10 @@ CaseRange range_of(const std::string& text, std::size_t cases) {
   return range;
 }
 
-/// Whether the output is there with all cases, none of which died. Throws InputError if it is not a file of
-/// this sweep.
-bool is_complete(const std::filesystem::path& output, const AskedSweep& asked) {
-  if (!file_exists(output))
-    return false;
-  std::optional<H5Reader> file;
-  H5Table top;
-  try {
-    top = file.emplace(output).attributes();
-  } catch (const InputError&) {
-  }
-  const auto is = [&](const char* name, const std::string& value) {
-    return text_attribute(top, name) == value;
-  };
-  if (!is("format", sweep_format) || !is("digest", asked.digest))
-    throw InputError(fmt::format("The output '{}' exists and is not of this sweep", output.string()),
-                     is("format", sweep_format) ? what_changed(*file, asked.origins)
-                                                : "it was not made by bem_contact sweep",
-                     "Give another output, or remove the file.");
-  const auto none = [&](const char* name) { return file->number(name) == 0; };
-  return none("missing_count") && none("died_count");
-}
-
-void check_outputs(const SweepFile& sweep, const SweepRequest& request,
-                   std::vector<std::filesystem::path> inputs) {
-  if (!request.csv.empty())
-    require_csv_texts(sweep);
-  const CsvFiles csv = csv_files(request.csv);
-  std::ranges::copy(files_read(request.scene, sweep), std::back_inserter(inputs));
-  require_named_outputs(inputs, {{"--output", request.output, OutputForm::whole_file, true},
-                                 {"--csv", request.csv},
-                                 {.option = "--csv", .file = csv.patches, .begins_with = patches_begin},
-                                 {.option = "--csv", .file = csv.units, .begins_with = units_begin}});
-}
-
-AskedSweep asked_sweep(const SweepRequest& request, SweepFile sweep) {
-  AskedSweep asked{request.scene, std::move(sweep), request.model, request.strict};
-  asked.origins = origins_of(asked.sweep, request.options());
-  asked.digest = digest_of(asked.origins);
-  return asked;
-}
-
-/// Says it where it is decided: not in each part.
-void say_what_is_kept(const SweepFile& sweep) {
-  if (!sweep.fields && !sweep.keeps_fields())
-    messages()->info(
-        "of {} cases only the totals are kept: fields = true in [sweep] keeps the fields, some 0.2 MB "
-        "a case",
-        sweep.size());
-}
-
-/// What the file says, which all of these print; and its CSV files.
-ExitCode say_what_was_found(const AskedSweep& asked, const SweepRequest& request, const std::string& head) {
-  const H5Reader file(request.output);
-  if (!request.csv.empty())
-    write_csv(csv_files(request.csv), asked.sweep, asked.columns(), file);
-  const SweepSummary summary = sweep_summary(file, asked.sweep.size(), head);
-  print_out("{}{}", record::found_text(record::read_hdf5_for_found(request.output)), summary.text);
-  return summary.certified ? success : no_convergence;
-}
-
 /// Some cases, in this process.
-ExitCode run_part(const SweepRequest& request, SweepFile sweep) {
+ExitCode run_part(const PartsRequest& request, SweepFile sweep) {
   const CaseRange cases = range_of(request.cases, sweep.size());
-  check_outputs(sweep, request, {});
+  require_sweep_outputs(sweep, request, {});
   require_replaceable(request.output, sweep_part_format, "a part of a sweep");
   check_cases(sweep, cases);
   const AskedSweep asked = asked_sweep(request, std::move(sweep));
@@ -185,7 +117,7 @@ std::string shell_word(const std::string& word) {
 }
 
 /// With the command that solves each.
-void print_missing(const SweepRequest& request, const std::vector<CaseRange>& missing) {
+void print_missing(const PartsRequest& request, const std::vector<CaseRange>& missing) {
   if (!missing.empty())
     print_out("These commands solve the cases that are missing:\n");
   for (const CaseRange& cases : missing)
@@ -194,7 +126,7 @@ void print_missing(const SweepRequest& request, const std::vector<CaseRange>& mi
               request.model.empty() ? "" : " --model " + request.model, request.strict ? " --strict" : "");
 }
 
-void require_all_cases(const SweepRequest& request, const std::vector<CaseRange>& missing) {
+void require_all_cases(const PartsRequest& request, const std::vector<CaseRange>& missing) {
   std::size_t count = 0;
   for (const CaseRange& cases : missing)
     count += cases.size();
@@ -216,10 +148,10 @@ void join_whole_parts(const AskedSweep& asked, const std::vector<SweepPart>& par
   }
 }
 
-ExitCode run_join(const SweepRequest& request, SweepFile sweep) {
+ExitCode run_join(const PartsRequest& request, SweepFile sweep) {
   const std::vector<std::filesystem::path> names =
       files_of_parts({request.parts.begin(), request.parts.end()});
-  check_outputs(sweep, request, names);
+  require_sweep_outputs(sweep, request, names);
   require_replaceable(request.output, sweep_format, "the cases of a sweep");
   say_what_is_kept(sweep);
   const AskedSweep asked = asked_sweep(request, std::move(sweep));
@@ -233,7 +165,7 @@ ExitCode run_join(const SweepRequest& request, SweepFile sweep) {
 }
 
 /// For programs: the name of each damaged part, one a line.
-ExitCode print_damaged(const SweepRequest& request, SweepFile sweep) {
+ExitCode print_damaged(const PartsRequest& request, SweepFile sweep) {
   const std::vector<std::filesystem::path> names(request.parts.begin(), request.parts.end());
   const AskedSweep asked = asked_sweep(request, std::move(sweep));
   for (const std::filesystem::path& file : find_parts(asked, names, PartCheck::all).damaged)
@@ -241,46 +173,7 @@ ExitCode print_damaged(const SweepRequest& request, SweepFile sweep) {
   return success;
 }
 
-/// A sweep of little work, of which nothing is solved yet, in this process.
-bool is_small(const AskedSweep& asked, const std::string& output) {
-  return !file_exists(output) && !file_exists(parts_folder(output)) && cut_of(asked).little;
-}
-
-ExitCode run_small(const AskedSweep& asked, const SweepRequest& request) {
-  say_what_is_kept(asked.sweep);
-  Progress progress("cases", asked.sweep.size());
-  solve_whole(asked, request.output, [&] { progress.step(); });
-  progress.finish();
-  return say_what_was_found(asked, request, "");
-}
-
-/// All cases that are not solved yet, on this machine.
-ExitCode run_all(const SweepRequest& request, SweepFile sweep) {
-  check_outputs(sweep, request, {});
-  check_cases(sweep, sweep.all());
-  const AskedSweep asked = asked_sweep(request, std::move(sweep));
-  if (is_small(asked, request.output))
-    return run_small(asked, request);
-  const PartsFolder folder(asked, request.output);
-  std::string head;
-  if (is_complete(request.output, asked)) {
-    head = fmt::format("'{}' is complete: nothing was solved\n", request.output);
-    require_table(H5Reader(request.output), asked.columns(), asked.sweep.size());
-    folder.clear(folder.parts()); // a kill left them after the file was done
-  } else {
-    say_what_is_kept(asked.sweep);
-    const SolvedParts solved = solve_on_cores(folder, request.jobs, part_solver(asked));
-    if (solved.code != 0)
-      return static_cast<ExitCode>(solved.code);
-    const std::vector<SweepPart> parts = folder.parts();
-    join(asked, parts, solved.died, request.output);
-    if (solved.died.empty())
-      folder.clear(parts);
-  }
-  return say_what_was_found(asked, request, head);
-}
-
-ExitCode run_sweep(const SweepRequest& request) {
+ExitCode run_sweep(const PartsRequest& request) {
   if (!request.gone.empty())
     refuse_gone(request);
   SweepFile sweep = read_sweep_file(request.scene);
@@ -294,14 +187,15 @@ ExitCode run_sweep(const SweepRequest& request) {
     throw CLI::RequiredError("--output");
   if (!request.cases.empty())
     return run_part(request, std::move(sweep));
-  return request.parts.empty() ? run_all(request, std::move(sweep)) : run_join(request, std::move(sweep));
+  return request.parts.empty() ? solve_whole_sweep(request, std::move(sweep))
+                               : run_join(request, std::move(sweep));
 }
 
 } // namespace
 
 Command add_sweep(CLI::App& program) {
-  const auto request = std::make_shared<SweepRequest>();
-  SweepRequest& r = *request;
+  const auto request = std::make_shared<PartsRequest>();
+  PartsRequest& r = *request;
   CLI::App* line = program.add_subcommand("sweep", "Solve a scene for lists or ranges of any of its keys");
   line->add_option("scene", r.scene, "Scene file (TOML) with a table [sweep]")->required();
   add_output_option(*line, "-o,--output", r.output, "File of all cases (HDF5)");

@@ -143,7 +143,7 @@ void print_units(std::ostream& out, const SweepFile& sweep, const SweepColumns& 
     tables.push_back("patches");
   for (const char* table : tables)
     for (const SweepFile::Axis& axis : sweep.axes)
-      fmt::print(out, "{},{},{},swept over\n", table, axis.key, unit_of_key(axis.key));
+      fmt::print(out, "{},{},{},swept over\n", table, axis.key, axis.unit());
   if (!sweep.weights.empty())
     for (const char* table : tables)
       fmt::print(out, "{},weight,1,how often the case occurs compared with the others\n", table);

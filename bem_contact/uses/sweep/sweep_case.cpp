@@ -7,6 +7,7 @@
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
+#include "bem_contact/uses/sweep/replay_steps.hpp"
 #include "bem_contact/uses/sweep/sweep_columns.hpp"
 
 #include <algorithm>
@@ -26,6 +27,8 @@ constexpr std::size_t chunks_of_a_sweep = 8;
 /// Cases. Smallest and largest chunk. Chosen, not measured.
 constexpr std::size_t smallest_chunk = 4;
 constexpr std::size_t largest_chunk = 32;
+/// Cases. Largest chunk of a replay, whose first and last steps are always solved. Chosen.
+constexpr std::size_t steps_of_a_replay = 256;
 
 /// Units of work, a second or less. A sweep of no more is one chunk: cold starts and other processes would
 /// cost more than they save.
@@ -116,19 +119,27 @@ SweepCut cut_of(const SweepFile& sweep, const std::string& model, SequenceFiles&
     work = foreseen_work(with_model(sweep.first_scene(), model), files);
   } catch (const Error&) { // others may be solved
   }
-  return cut_of(sweep.size(), work);
+  SweepCut cut = cut_of(sweep.size(), work);
+  if (sweep.replay && !cut.little) // its chunks are long, so that what is static is solved once
+    cut.chunk = std::clamp(sweep.size() / chunks_of_a_sweep, smallest_chunk, steps_of_a_replay);
+  return cut;
 }
 
 void solve_cases(const SweepFile& sweep, CaseRange cases, const SweepOptions& options,
                  const std::shared_ptr<SequenceFiles>& files, const std::function<bool(SweepCase)>& kept) {
   const std::size_t chunk = cut_of(sweep, options.model, *files).chunk;
   SweepScenes scenes(sweep);
-  std::optional<Sequence> sequence;
-  for (std::size_t i = cases.first; i < cases.last; ++i) {
-    if (!sequence || i % chunk == 0)
-      sequence.emplace(SequenceOptions{.displacements = options.displacements}, files);
-    if (!kept(solve_case(*sequence, scenes, i, options, files)))
-      return;
+  bool go_on = true;
+  for (CaseRange some{cases.first, 0}; some.first < cases.last && go_on; some.first = some.last) {
+    some.last = std::min(cases.last, (some.first / chunk + 1) * chunk);
+    Sequence sequence(SequenceOptions{.displacements = options.displacements}, files);
+    const auto solve = [&](std::size_t i) { return solve_case(sequence, scenes, i, options, files); };
+    const auto keep = [&](SweepCase one) { return go_on = kept(std::move(one)); };
+    if (sweep.replay)
+      replay_steps(sweep, some, solve, keep);
+    else
+      for (std::size_t i = some.first; i < some.last && go_on; ++i)
+        keep(solve(i));
   }
 }
 

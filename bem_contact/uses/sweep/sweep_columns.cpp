@@ -1,12 +1,14 @@
 #include "bem_contact/uses/sweep/sweep_columns.hpp"
 
 #include "bem_contact/sequence/quantities.hpp"
+#include "bem_contact/uses/sweep/replay_steps.hpp"
 #include "bem_contact/uses/wheelset/quantities.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 namespace bem_contact {
@@ -32,7 +34,7 @@ template <class Table> std::vector<SweepColumn> columns_of_table(const Table& ta
   return all;
 }
 
-std::vector<SweepColumn> columns_of_contacts() {
+std::vector<SweepColumn> columns_of_a_contact() {
   std::vector<SweepColumn> all = columns_of_table(quantities());
   all.push_back({model_column, "1", model_numbers()});
   return all;
@@ -62,10 +64,17 @@ std::vector<SweepColumn> columns_of_wheelset_patches() {
 
 } // namespace
 
-const SweepColumns& columns_of(const SweepFile& sweep) {
-  static const SweepColumns contacts{columns_of_contacts(), columns_of_table(patch_quantities())},
+const SweepColumns& columns_of_contacts(const SweepFile& sweep) {
+  static const SweepColumns contacts{columns_of_a_contact(), columns_of_table(patch_quantities())},
       wheelsets{columns_of_wheelsets(), columns_of_wheelset_patches()};
   return sweep.first_scene().wheelset.force ? wheelsets : contacts;
+}
+
+SweepColumns columns_of(const SweepFile& sweep) {
+  SweepColumns out = columns_of_contacts(sweep);
+  if (sweep.replay)
+    std::ranges::move(replay_columns(*sweep.replay), std::back_inserter(out.cases));
+  return out;
 }
 
 bool is_model(const SweepColumn& column) {

@@ -23,8 +23,10 @@ struct SweepColumns {
   std::vector<SweepColumn> cases;   ///< one number a case
   std::vector<SweepColumn> patches; ///< one number a patch
 };
-/// Reads the scene of the first case, so ask once.
-const SweepColumns& columns_of(const SweepFile& sweep);
+/// Of a replay, replay_columns() come after them. Reads the scene of the first case, so ask once.
+SweepColumns columns_of(const SweepFile& sweep);
+/// Without those of a replay.
+const SweepColumns& columns_of_contacts(const SweepFile& sweep);
 /// Says whether a column holds a model, as its number.
 bool is_model(const SweepColumn& column);
 

@@ -27,7 +27,7 @@ struct AskedSweep {
   /// What its scenes name. A child process has a copy of what was read before it.
   std::shared_ptr<SequenceFiles> files = shared_files();
 
-  const SweepColumns& columns() const { return columns_of(sweep); }
+  SweepColumns columns() const { return columns_of(sweep); }
 };
 
 /// How it is cut into chunks. Reads what the first case names.
