@@ -41,6 +41,7 @@ typedef struct conformal_contact conformal_contact;
 #define CONFORMAL_WRONG_INPUT 2   /* the scene, a value, an index or a size is wrong */
 #define CONFORMAL_NOT_CONVERGED 3 /* there is no certified result */
 #define CONFORMAL_STOPPED 4       /* conformal_stop() was called */
+#define CONFORMAL_BEYOND_TABLE 5  /* the point is outside the axes of the table */
 
 /* "major.minor.patch" */
 const char* conformal_version(void);
@@ -221,6 +222,19 @@ int conformal_table_find(const conformal_table* table, const char* name, int* co
  * (may be a null pointer). CONFORMAL_WRONG_INPUT outside the axes; then `values` are as they were. */
 int conformal_table_look_up(const conformal_table* table, const double* at, int axes, double* values,
                             double* errors, int columns, char* message, int size);
+
+/* The same for the loop of a vehicle model, with derivatives, in some microseconds: it allocates nothing, reads no
+ * file and makes no message. Of the first `columns` columns (32 at most):
+ *     values       [columns]
+ *     derivatives  [columns][axes]: of each column along each axis, exactly those of the values; may be null
+ *     errors       [columns]: stated, between the points and by the size of the elements (nan: not known); may be null
+ *     beyond       0, or k (-k): the point is beyond the upper (lower) end of axis k, counted from 1; may be null
+ * Values and derivatives are continuous in all coordinates. CONFORMAL_BEYOND_TABLE outside the axes, and for a
+ * coordinate that is no number; CONFORMAL_WRONG_INPUT for a table of creep forces or of more than 8 axes. Then nothing
+ * is written but `beyond`. `bem_contact table T.h5 --pack T.c` writes a table and this function as one C source that
+ * needs no library. */
+int conformal_table_force(const conformal_table* table, const double* at, int columns, double* values,
+                          double* derivatives, double* errors, int* beyond);
 
 /* What conformal_table_creep_forces() is given and gives, in the order of its arrays. */
 #define CONFORMAL_ELLIPSE_A 0       /* mm, semi-axis along x */

@@ -1,5 +1,7 @@
 #include "bem_contact/c/calls.hpp"
+#include "bem_contact/uses/table/conformal_packed_table.h"
 #include "bem_contact/uses/table/creep_table.hpp"
+#include "bem_contact/uses/table/packed_table.hpp"
 #include "bem_contact/uses/table/table_file.hpp"
 
 #include <fmt/format.h>
@@ -11,13 +13,27 @@ using namespace bem_contact;
 /// What a handle points to; nothing changes it.
 struct conformal_table {
   const table::ContactTable table;
+  const std::vector<double> packed; ///< of conformal_table_force(); empty: it cannot be packed
 };
+static_assert(CONFORMAL_OK == CONFORMAL_PACKED_OK && CONFORMAL_WRONG_INPUT == CONFORMAL_PACKED_WRONG &&
+              CONFORMAL_BEYOND_TABLE == CONFORMAL_PACKED_BEYOND);
 
 namespace {
 
 /// The member of a list, or a null pointer.
 template <class Member> const Member* member(const std::vector<Member>& all, int index) {
   return index >= 0 && index < static_cast<int>(all.size()) ? &all[static_cast<std::size_t>(index)] : nullptr;
+}
+
+/// The columns of a table that can be packed, as many as there is room for.
+std::vector<double> packed_if_possible(const table::ContactTable& t) {
+  if (t.nested() || t.axes.size() > CONFORMAL_PACKED_MOST_AXES)
+    return {};
+  std::vector<std::string> names;
+  for (const table::Column& column : t.columns)
+    if (names.size() < CONFORMAL_PACKED_MOST_COLUMNS)
+      names.push_back(column.name);
+  return table::packed(t, names);
 }
 
 template <class Value, class From> void give(Value* to, const From& value) {
@@ -34,7 +50,9 @@ int conformal_table_open(const char* file, conformal_table** handle, char* messa
     require(handle, "the handle");
     *handle = nullptr;
     require(file, "the name of the table");
-    *handle = new conformal_table{table::read_table(file)};
+    table::ContactTable read = table::read_table(file);
+    std::vector<double> packed = packed_if_possible(read);
+    *handle = new conformal_table{std::move(read), std::move(packed)};
   });
 }
 
@@ -101,6 +119,13 @@ int conformal_table_look_up(const conformal_table* handle, const double* at, int
         errors[c] = t.columns[c].interpolation_error;
     }
   });
+}
+
+int conformal_table_force(const conformal_table* handle, const double* at, int columns, double* values,
+                          double* derivatives, double* errors, int* beyond) {
+  if (!handle || handle->packed.empty())
+    return CONFORMAL_WRONG_INPUT;
+  return conformal_packed_force(handle->packed.data(), at, columns, values, derivatives, errors, beyond);
 }
 
 int conformal_table_creep_forces(const conformal_table* handle, const double ellipse[7], double forces[3],

@@ -9,6 +9,7 @@
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/uses/sweep/sweep_case.hpp"
 #include "bem_contact/uses/table/creep_table.hpp"
+#include "bem_contact/uses/table/packed_table.hpp"
 #include "bem_contact/uses/table/scene_table.hpp"
 #include "bem_contact/uses/table/table_file.hpp"
 
@@ -218,6 +219,23 @@ py::dict look_up(const PythonTable& self, const Points& at) {
   return out;
 }
 
+/// What conformal_table_force() gives.
+py::dict force(const PythonTable& self, const std::vector<double>& at,
+               const std::optional<std::vector<std::string>>& columns) {
+  const std::vector<std::string> names = columns.value_or(std::vector<std::string>{"Fx", "Fy", "Fz", "Mz"});
+  const table::PackedForces found = table::look_up(self.table, table::packed(self.table, names), at);
+  py::dict values, derivatives, errors;
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    py::dict along;
+    for (std::size_t a = 0; a < at.size(); ++a)
+      along[self.table.axes[a].name.c_str()] = found.derivatives[c * at.size() + a];
+    values[names[c].c_str()] = found.values[c];
+    errors[names[c].c_str()] = found.errors[c];
+    derivatives[names[c].c_str()] = along;
+  }
+  return py::dict("values"_a = values, "derivatives"_a = derivatives, "errors"_a = errors);
+}
+
 py::dict creep_forces(const PythonTable& self, double a, double b, double shear_modulus, double bound,
                       double xi, double eta, double phi) {
   const table::TabulatedForces f =
@@ -241,6 +259,14 @@ void add_table(py::module_& module) {
            "A dict with the value of each column at a point, one coordinate for each axis; for an array of "
            "points (last dimension: axes) arrays of values. `errors` says how far they are from solutions. "
            "InputError outside the axes.")
+      .def("force", force, "at"_a, "columns"_a = py::none(),
+           "\"values\", \"derivatives\" (by column and axis) and stated \"errors\" of some `columns` (Fx, "
+           "Fy, Fz "
+           "and Mz) at a point, one coordinate for each axis: what conformal_table_force() gives in C. All "
+           "are "
+           "continuous in each coordinate but the errors, which are those of the table. InputError outside "
+           "the "
+           "axes.")
       .def("creep_forces", creep_forces, "a"_a, "b"_a, "shear_modulus"_a, "bound"_a, "xi"_a = 0, "eta"_a = 0,
            "phi"_a = 0,
            "Fx, Fy (N) and Mz (N mm) on the rail of an elliptic contact with semi-axes a along x and b (mm), "

@@ -55,6 +55,44 @@ class TableCommand(unittest.TestCase):
         self.assertIn("has no result (the process that solved it was ended by signal 9", said)
         self.assertFalse((self.folder / "t.h5").exists())
 
+    def test_a_packed_table_needs_no_library(self):
+        """One C source gives the same numbers, and derivatives that are theirs."""
+        file, source, program = self.folder / "t.h5", self.folder / "t.c", self.folder / "t"
+        self.assertEqual(self.run_table("table", self.scene, "-o", file, "--tolerance", 0.05).returncode, 0)
+        packed = self.run_table("table", file, "--pack", source, "--columns", "Fx,Fz,pmax")
+        self.assertEqual(packed.returncode, 0, packed.stderr)
+        source.write_text(source.read_text() + """
+#include <stdio.h>
+#include <stdlib.h>
+int main(int count, char** words) {
+  double at[2], values[3], slopes[6], errors[3];
+  int beyond, code, i;
+  for (i = 0; i < 2 && i + 1 < count; ++i)
+    at[i] = atof(words[i + 1]);
+  code = conformal_packed_force(conformal_packed, at, 3, values, slopes, errors, &beyond);
+  printf("%d %d %.17g %.17g %.17g %.17g %.17g %s %s", code, beyond, values[0], values[1], values[2], slopes[1], errors[0],
+         conformal_packed_axes[1], conformal_packed_columns[2]);
+  return 0;
+}
+""")
+        subprocess.run(["cc", "-std=c89", "-pedantic", "-Wall", "-Werror", source, "-o", program], check=True)
+
+        def call(*at):
+            return subprocess.run([program, *map(repr, at)], stdout=subprocess.PIPE, text=True, check=True).stdout.split()
+
+        found = call(7e-4, 2345.0)
+        said = self.run_table("table", file, "--at", "7e-4,2345").stdout.splitlines()
+        own = {line.split()[0]: float(line.split()[1]) for line in said}
+        self.assertEqual(found[:2], ["0", "0"])
+        for name, value in zip(["Fx", "Fz", "pmax"], found[2:5]):
+            self.assertAlmostEqual(float(value), own[name], delta=1e-9 * abs(own[name]))
+        difference = (float(call(7e-4, 2346.0)[2]) - float(call(7e-4, 2344.0)[2])) / 2
+        self.assertAlmostEqual(float(found[5]), difference, delta=1e-6 * abs(difference))
+        self.assertGreater(float(found[6]), 0)
+        self.assertEqual(found[7:], ["load.force,", "N", "pmax,", "MPa"])
+        self.assertEqual(call(7e-4, 5000.0)[:2], ["5", "2"])
+        self.assertIn("The table has no 'Fq'", self.run_table("table", file, "--pack", source, "--columns", "Fq").stderr)
+
     def test_json_file_and_values_agree(self):
         file = self.folder / "t.h5"
         done = self.run_table("table", self.scene, "-o", file, "--tolerance", 0.05, "--json", "--jobs", 2)

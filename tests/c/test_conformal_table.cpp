@@ -14,6 +14,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <random>
 #include <regex>
 #include <set>
 #include <string>
@@ -218,6 +219,133 @@ TEST(CTable, FortranHasEveryFunction) {
   const auto in_c = functions_of("conformal_contact.h", "\n(?:int|void|const char\\*) (conformal_\\w+)\\(");
   EXPECT_GT(in_c.size(), 20u);
   EXPECT_EQ(functions_of("conformal_contact.f90.in", "(?:function|subroutine) (conformal_\\w+)\\("), in_c);
+}
+
+/// Forces that saturate, over a lateral displacement, a creepage and a load: axes with unequal points.
+table::ContactTable saturating() {
+  table::ContactTable t{
+      .axes = {{"y", "mm", "", {-3, -2.5, -1, 0, 0.5, 2, 3}},
+               {"xi", "1", "", {-4e-3, -2e-3, -1e-3, 0, 5e-4, 2e-3, 4e-3}},
+               {"load", "N", "", {4e4, 6e4, 9e4}},
+               {"yaw", "rad", "", {0, 1e-2}}},
+      .columns = {{.name = "Fx", .unit = "N", .description = "", .interpolation_error = 100},
+                  {.name = "Fy", .unit = "N", .description = "", .interpolation_error = 200}}};
+  t.columns[0].element_error = 20;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const std::vector<double> p = t.point(i);
+    t.columns[0].values.push_back(0.3 * p[2] * std::tanh(1e3 * p[1]) * (1 + 0.1 * std::sin(p[0])) +
+                                  1e5 * p[3]);
+    t.columns[1].values.push_back(p[2] * std::exp(0.5 * p[0]) * (1 + p[3]));
+  }
+  return t;
+}
+
+/// One look-up of both columns of saturating().
+struct Looked {
+  int code = -1, beyond = 99;
+  std::array<double, 2> values{}, errors{};
+  std::array<double, 8> slopes{}; ///< [column][axis]
+};
+Looked looked(const conformal_table* t, const std::array<double, 4>& at) {
+  Looked out;
+  out.code = conformal_table_force(t, at.data(), 2, out.values.data(), out.slopes.data(), out.errors.data(),
+                                   &out.beyond);
+  return out;
+}
+
+/// The same numbers as the other way to look up, and derivatives that are those of the values.
+TEST(CTable, ForcesComeWithTheirDerivatives) {
+  const table::ContactTable own = saturating();
+  const TableHandle t = opened(own);
+  std::mt19937 random(3);
+  for (int i = 0; i < 500; ++i) {
+    std::array<double, 4> at{};
+    for (std::size_t a = 0; a < 4; ++a)
+      at[a] = std::uniform_real_distribution<>(own.axes[a].from(), own.axes[a].to())(random);
+    const Looked found = looked(t.get(), at);
+    ASSERT_EQ(found.code, CONFORMAL_OK);
+    EXPECT_EQ(found.beyond, 0);
+    EXPECT_EQ(found.errors[0], 120);
+    EXPECT_TRUE(std::isnan(found.errors[1])); // that of its elements is not known
+    const std::vector<double> other = table::look_up(own, at);
+    for (std::size_t c = 0; c < 2; ++c) {
+      EXPECT_NEAR(found.values[c], other[c], 1e-9 * 1e5);
+      for (std::size_t a = 0; a < 4; ++a) {
+        const double h = 1e-6 * (own.axes[a].to() - own.axes[a].from());
+        std::array<double, 4> more = at, less = at;
+        more[a] = std::min(at[a] + h, own.axes[a].to());
+        less[a] = std::max(at[a] - h, own.axes[a].from());
+        const double slope =
+            (looked(t.get(), more).values[c] - looked(t.get(), less).values[c]) / (more[a] - less[a]);
+        EXPECT_NEAR(found.slopes[4 * c + a] * h, slope * h, 1e-4) << "column " << c << ", axis " << a;
+      }
+    }
+  }
+}
+
+/// At the points of the table the derivatives from both sides are one, and small steps across all cells never
+/// have a second difference near the stated error.
+TEST(CTable, ForcesAreSmoothAcrossCells) {
+  const table::ContactTable own = saturating();
+  const TableHandle t = opened(own);
+  for (std::size_t a = 0; a < 3; ++a) // the last axis has one cell
+    for (std::size_t k = 1; k + 1 < own.axes[a].points.size(); ++k) {
+      std::array<double, 4> at{0.3, 7e-4, 5.3e4, 4e-3}, below{}, above{};
+      at[a] = own.axes[a].points[k];
+      below = above = at;
+      const double length = own.axes[a].to() - own.axes[a].from();
+      below[a] -= 1e-9 * length;
+      above[a] += 1e-9 * length;
+      const Looked before = looked(t.get(), below), after = looked(t.get(), above);
+      for (std::size_t c = 0; c < 2; ++c) {
+        EXPECT_NEAR(before.values[c], after.values[c], 1e-2);
+        for (std::size_t b = 0; b < 4; ++b)
+          EXPECT_NEAR(before.slopes[4 * c + b], after.slopes[4 * c + b],
+                      1e-5 * std::abs(after.slopes[4 * c + b]) + 1e-6 * 1e5 / length)
+              << "column " << c << ", axis " << b << " at point " << k << " of axis " << a;
+      }
+    }
+  for (double y = -2.999; y < 2.998; y += 1e-3)
+    for (std::size_t c = 0; c < 2; ++c) {
+      const auto at = [&](double here) { return looked(t.get(), {here, 7e-4, 5.3e4, 4e-3}).values[c]; };
+      EXPECT_LT(std::abs(at(y + 1e-3) - 2 * at(y) + at(y - 1e-3)), 1) << y; // N; 100 are stated
+    }
+}
+
+/// Beyond the table there is a code and a flag, and no number. A million calls of any kind end.
+TEST(CTable, NoPlaceGivesAWrongNumber) {
+  const table::ContactTable own = saturating();
+  const TableHandle t = opened(own);
+  std::mt19937 random(5);
+  const std::array odd{std::nan(""), 1e308, -1e308, std::numeric_limits<double>::infinity(), 0.0, -0.0};
+  int inside = 0;
+  for (int i = 0; i < 1000000; ++i) {
+    std::array<double, 4> at{};
+    bool within = true;
+    for (std::size_t a = 0; a < 4; ++a) {
+      const double from = own.axes[a].from(), to = own.axes[a].to(), margin = 0.05 * (to - from);
+      at[a] = random() % 40 == 0 ? odd[random() % odd.size()]
+                                 : std::uniform_real_distribution<>(from - margin, to + margin)(random);
+      within = within && at[a] >= from && at[a] <= to;
+    }
+    std::array<double, 2> values{-7, -7};
+    int beyond = 99;
+    const int code = conformal_table_force(t.get(), at.data(), 2, values.data(), nullptr, nullptr, &beyond);
+    ASSERT_EQ(code, within ? CONFORMAL_OK : CONFORMAL_BEYOND_TABLE);
+    ASSERT_EQ(beyond == 0, within);
+    ASSERT_TRUE(within ? std::isfinite(values[0]) && std::isfinite(values[1])
+                       : values == (std::array<double, 2>{-7, -7}));
+    inside += within;
+  }
+  EXPECT_GT(inside, 300000);
+  EXPECT_EQ(looked(t.get(), {-3.1, 0, 5e4, 0}).beyond, -1);
+  EXPECT_EQ(looked(t.get(), {0, 0, 1e5, 0}).beyond, 3);
+  double value = 0;
+  const std::array<double, 4> middle{0, 0, 5e4, 0};
+  EXPECT_EQ(conformal_table_force(t.get(), middle.data(), 3, &value, nullptr, nullptr, nullptr),
+            CONFORMAL_WRONG_INPUT);
+  EXPECT_EQ(conformal_table_force(nullptr, middle.data(), 1, &value, nullptr, nullptr, nullptr),
+            CONFORMAL_WRONG_INPUT);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "bem_contact/app/output/print_answer.hpp"
 #include "bem_contact/app/sweep/numbers_by_children.hpp"
 #include "bem_contact/base/argument_error.hpp"
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/printable.hpp"
@@ -12,6 +13,7 @@
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/uses/table/creep_table.hpp"
+#include "bem_contact/uses/table/packed_table.hpp"
 #include "bem_contact/uses/table/scene_table.hpp"
 #include "bem_contact/uses/table/table_file.hpp"
 
@@ -47,13 +49,15 @@ Forces of a pair of profiles: add a table [table] to a scene. Points are added u
 Values of a table, as C, Fortran and Python look them up (tools/examples):
     bem_contact table creep.h5 --at 6,4,82000,30000,0.001,0,0    # a, b (mm), G (MPa), mu N (N), xi, eta, phi (1/mm)
     bem_contact table forces.h5 --at 0.5,6e4                     # one number for each axis
+    bem_contact table forces.h5 --pack forces.c                  # one C source: values and derivatives, no library
 More: data/tutorial/table.md.
 
 Exit code 0: the table is within the tolerance; 2: the input is wrong; 3: a point has no certified result, or the
 tolerance takes more than --most-points.)";
 
 struct TableArguments {
-  std::string input, output, text, model, at;
+  std::string input, output, text, model, at, pack;
+  std::vector<std::string> columns = {"Fx", "Fy", "Fz", "Mz"}; ///< that are packed
   std::string ratio = "0.5:2";
   bool creep = false, json = false;
   table::CreepTableOptions options;
@@ -145,6 +149,16 @@ void print_values(const TableArguments& arguments) {
     print(t.columns[c].name.c_str(), values[c], t.columns[c].interpolation_error, t.columns[c].unit);
 }
 
+/// The table as one C source.
+void write_packed(const TableArguments& arguments) {
+  const table::ContactTable t = table::read_table(arguments.input);
+  const std::string source = table::packed_source(t, arguments.columns);
+  require_named_outputs({arguments.input}, {{"--pack", arguments.pack}});
+  write_text(arguments.pack, [&](std::ostream& out) { out << source; });
+  print_out("'{}' has {} of {}: call conformal_packed_force() in it.\n", arguments.pack,
+            fmt::join(arguments.columns, ", "), counted(std::ptrdiff_t(t.size()), "point", "points"));
+}
+
 /// What is solved, and what the file says of it.
 struct Order {
   table::ContactTable table;
@@ -213,6 +227,10 @@ ExitCode run(TableArguments arguments) {
     print_values(arguments);
     return success;
   }
+  if (!arguments.pack.empty()) {
+    write_packed(arguments);
+    return success;
+  }
   if (arguments.creep == !arguments.input.empty())
     throw InputError("It is not clear which table is wanted",
                      arguments.creep ? "a scene and --creep-forces are given" : "there is no scene",
@@ -277,6 +295,14 @@ Command add_table(CLI::App& program) {
   line->add_option("--at", a.at,
                    "Print the values of a table at a point, with the error of the interpolation")
       ->configurable(false);
+  add_output_option(
+      *line, "--pack", a.pack,
+      "Write a table that is there (HDF5) as one C source, which looks up values and derivatives "
+      "without any library");
+  line->add_option("--columns", a.columns, "With --pack: which numbers of the table")
+      ->delimiter(',')
+      ->configurable(false)
+      ->capture_default_str();
   line->footer(table_help);
   return {line, [arguments] { return run(*arguments); }};
 }

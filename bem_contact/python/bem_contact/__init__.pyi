@@ -228,6 +228,9 @@ class Table:
     def look_up(self, at: _List[float] | NDArray[Any]) -> dict[str, Any]:
         """Each column at a point, or at an array of points; InputError outside the axes."""
 
+    def force(self, at: _List[float], columns: _List[str] | None = None) -> dict[str, dict[str, Any]]:
+        """"values", "derivatives" by column and axis, and stated "errors" at a point; InputError outside the axes."""
+
     def creep_forces(
         self,
         a: float,

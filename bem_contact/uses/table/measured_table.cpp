@@ -1,5 +1,6 @@
 #include "bem_contact/uses/table/measured_table.hpp"
 
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 
 #include <algorithm>
@@ -47,10 +48,22 @@ constexpr std::size_t most_ways = 6;
 
 } // namespace
 
+std::string MeasuredTable::foreseen_text() const {
+  std::size_t cells = 1;
+  for (const Axis& axis : table_.axes)
+    cells *= axis.points.size() - 1;
+  return table_.nested()
+             ? ""
+             : fmt::format("; with the middles of its {} that is {} contacts at least, and twice as many "
+                           "with each axis whose intervals must be halved",
+                           counted(std::ptrdiff_t(cells), "cell", "cells"), table_.size() + cells);
+}
+
 void MeasuredTable::fill(int round) {
   require_room(round);
   if (wanted_.progress)
-    wanted_.progress(fmt::format("{} points{}", table_.size(), round == 0 ? "" : "; " + worst_text()));
+    wanted_.progress(
+        fmt::format("{} points{}", table_.size(), round == 0 ? foreseen_text() : "; " + worst_text()));
   std::vector<Point> points;
   for (std::size_t i = 0; i < table_.size(); ++i)
     points.push_back(table_.point(i));

@@ -50,6 +50,7 @@ private:
   std::vector<Way> steep_ways(std::span<const Point> middles, std::size_t column) const;
   void require_room(int round) const;
   std::string worst_text() const;
+  std::string foreseen_text() const; ///< how many contacts it takes; "" of nested axes, which nobody knows
 
   ContactTable& table_;
   const PointsSolver& solve_;

@@ -25,7 +25,46 @@ load.force = [ 5e4, 8e4 ]
 """
 
 
+FORTRAN_FORCE = """program force
+  use conformal_contact
+  implicit none
+  character(kind=c_char) :: message(1000)
+  character(500) :: file
+  real(c_double) :: at(2), values(4), slopes(2, 4), errors(4)
+  integer(c_int) :: code, beyond
+  type(c_ptr) :: table
+  call get_command_argument(1, file)
+  code = conformal_table_open(trim(file) // c_null_char, table, message, 1000)
+  at = [-2.3d0, 6.6d4]
+  code = conformal_table_force(table, at, 4, values, slopes, errors, beyond)
+  print '(2i3, 16es25.16)', code, beyond, values, slopes, errors
+  code = conformal_table_force(table, [-2.3d0, 9d4], 4, values, slopes, errors, beyond)
+  print '(2i3)', code, beyond
+end program
+"""
+
+
 class Readers(unittest.TestCase):
+    def test_fortran_and_python_give_the_same_derivatives(self):
+        import bem_contact
+
+        folder = Path(self.temporary.name)
+        (folder / "force.f90").write_text(FORTRAN_FORCE)
+        run("gfortran", "-Wall", "-Werror", os.environ["FORTRAN"], folder / "force.f90", "-o", folder / "force", LIBRARY,
+            f"-Wl,-rpath,{LIBRARY.parent}", cwd=folder)
+        first, second = run(folder / "force", self.tables["forces"]).splitlines()
+        found = [float(word) for word in first.split()]
+        own = bem_contact.read_table(self.tables["forces"]).force([-2.3, 6.6e4])
+        self.assertEqual(found[:2], [0, 0])
+        for i, name in enumerate(("Fx", "Fy", "Fz", "Mz")):
+            self.assertAlmostEqual(found[2 + i], own["values"][name], delta=1e-9 * (1 + abs(own["values"][name])))
+            slopes = list(own["derivatives"][name].values())
+            for a in range(2):
+                self.assertAlmostEqual(found[6 + 2 * i + a], slopes[a], delta=1e-9 * (1 + abs(slopes[a])))
+        self.assertEqual(second.split(), ["5", "2"])
+        with self.assertRaises(bem_contact.InputError):
+            bem_contact.read_table(self.tables["forces"]).force([-2.3, 9e4])
+
     @classmethod
     def setUpClass(cls):
         cls.temporary = tempfile.TemporaryDirectory()
