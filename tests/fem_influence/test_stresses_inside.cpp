@@ -103,7 +103,7 @@ TEST(StressesInside, OfAHertzCircle) {
 /// What a box below the contact bears, nn on its bottom and sn on its sides, is the force on its top.
 TEST(StressesInside, BearTheForce) {
   const Folder folder;
-  write_block_mesh(folder / "block.msh", 0.5, 6, 150);
+  write_block_mesh(folder / "block.msh", 0.5, 6, 150, false, 1.25);
   BodyFile body = block_body();
   body.harmonic.border_levels = 0;
   const ProfileCurve curve = straight_line(150);
@@ -209,15 +209,16 @@ TEST(StressesInside, OfDiscAndBoreAreMichells) {
   }
 }
 
-/// A disc between two opposite line loads P: both Flamant's, and P / (pi R) in all directions (Timoshenko and
-/// Goodier, Theory of Elasticity, section 41).
+/// The middle of the disc is held, which shows near it. A disc between two opposite line loads P: both
+/// Flamant's, and P / (pi R) in all directions (Timoshenko and Goodier, Theory of Elasticity, section 41).
 TEST(StressesInside, OfADiscBetweenTwoLineLoads) {
   RoundBody round(false);
+  round.body.harmonic.degree = 3; // stresses rise steeply below the loads
   constexpr double radius = RoundBody::radius;
   const std::size_t n = RoundBody::count;
   for (const std::size_t station : {n / 2 - 1, n / 2, n - 1, std::size_t(0)})
     round.tractions.pn[station] = 100;
-  const std::vector<BelowSurface> points{{0, 3}, {0, 5}, {0, 8}, {3, 4}, {50, 5}, {9, 3}};
+  const std::vector<BelowSurface> points{{0, 3}, {0, 5}, {0, 6}, {3, 4}, {50, 5}, {9, 3}};
   const std::vector<inside::Passage> found = round.stresses(points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const CurvePoint above = round.circle.at(points[i].s);
