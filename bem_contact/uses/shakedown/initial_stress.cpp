@@ -85,8 +85,9 @@ InitialStress::InitialStress(std::vector<double> s, std::vector<double> depths, 
   for (std::size_t i = 0; i < values_.size(); i += depths_.size())
     for (const auto& [component, value] : tractions)
       if (depths_.front() == 0 && std::abs(values_[i].*value) > no_traction)
-        refuse(name_, fmt::format("{} is {:g} MPa at a depth of 0, where nothing presses on the surface",
-                                  component, values_[i].*value),
+        refuse(name_,
+               fmt::format("{} is {:g} MPa at a depth of 0, where nothing presses on the surface", component,
+                           values_[i].*value),
                "Begin it at 0 there.");
 }
 
@@ -112,7 +113,8 @@ InitialStress read_initial_stress(const std::filesystem::path& file) {
       stress.*value = row[at];
     const double s = columns.s ? row[*columns.s] : 0, depth = row[columns.depth];
     if (!table[s].emplace(depth, stress).second)
-      refuse(name, fmt::format("s = {:g} mm, depth = {:g} mm stands there twice", s, depth), "Keep one line.");
+      refuse(name, fmt::format("s = {:g} mm, depth = {:g} mm stands there twice", s, depth),
+             "Keep one line.");
   }
   if (table.empty())
     refuse(name, "it has no numbers", "Give it a line for each depth.");
