@@ -16,8 +16,7 @@ using namespace py::literals;
 
 py::dict shakedown_of_result(const PythonResult& result, std::optional<double> yield_shear,
                              std::optional<double> dang_van_a, std::optional<double> alpha, bool in_plane,
-                             const std::string& steel,
-                             const std::optional<std::string>& initial_stress) {
+                             const std::string& steel, const std::optional<std::string>& initial_stress) {
   if (!result.solved)
     throw InputError("shakedown needs a result that was solved here",
                      "one that was pickled holds only its properties", "Solve the scene again.");
@@ -49,7 +48,8 @@ void add_shakedown(py::module_& module) {
       "whose fatigue limit, a and k are then taken; `alpha`: "
       "Crossland's, by "
       "default that of a steel with this Dang Van's a; `in_plane`: without residual shear along the track; "
-      "`initial_stress`: a CSV file with residual and thermal stress of the body (depth, perhaps s, mm; any of "
+      "`initial_stress`: a CSV file with residual and thermal stress of the body (depth, perhaps s, mm; any "
+      "of "
       "xx, ss, nn, xs, xn, sn, MPa), which first yield and fatigue feel.");
 }
 
