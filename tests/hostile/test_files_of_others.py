@@ -73,6 +73,7 @@ READS = {
     "influence": ("small.h5", ["influence", "expand", "small.h5", "--dx", "1", "--ds", "1", "--mx", "2", "--my", "2"]),
     "profile": ("profile.whl", ["profile", "profile.whl"]),
     "sweep": ("sweep.toml", ["sweep", "sweep.toml", "--jobs", "1"]),
+    "replay": ("run.csv", ["replay", "run.csv", "replay.toml", "--jobs", "1"]),
     "conicity": ("profile.whl", ["conicity", "--wheel", "profile.whl", "--rail", "60E1"]),
     "creep-curves": ("scene.toml", ["creep-curves", "scene.toml", "--xi=0:1e-3:2"]),
     "table": ("table.toml", ["table", "table.toml"]),
@@ -106,6 +107,8 @@ class EveryCommand(InFolder):
         self.file("scene.toml", SCENE)
         self.file("sweep.toml", SWEEP)
         self.file("table.toml", SCENE + "[table]\nposition.lateral = { from = 0, to = 1, count = 2 }\n")
+        self.file("replay.toml", SCENE + "[replay.columns]\nposition.lateral = \"y\"\n")
+        self.file("run.csv", "y\n0\n1\n")
         self.file("wheelset.toml", SCENE.replace("load.force", "wheelset.force"))
         shutil.copy(SCENES / "hertz.toml", self.folder)
         shutil.copy(BODIES / "hollow_wheel.txt", self.folder / "profile.whl")
@@ -124,7 +127,7 @@ class EveryCommand(InFolder):
                     with self.subTest(f"{command} {option} {kind}"):
                         before, output = (self.folder / name).read_bytes(), self.folder / f"output{ending}"
                         make(self.folder / name, output)
-                        more = ["-o", "other.h5"] if command == "sweep" and option != "-o" else []
+                        more = ["-o", "other.h5"] if command in ("sweep", "replay") and option != "-o" else []
                         code, message = self.run_program(*words, *more, option, output)
                         output.unlink()
                         self.assertEqual(code, 2, message)

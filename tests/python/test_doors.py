@@ -170,11 +170,12 @@ grid = { dx = 2.0, ds = 2.0 }
 AXLE = ON_RAIL.replace(", xi = 2e-3", "") + "wheelset.force = 1.6e5\n"
 TABLE = "[table]\nmotion.xi = [1e-3, 2e-3]\n"
 SWEEP = "[sweep]\nmotion.xi = [1e-3, 2e-3]\n"
+REPLAY = "[replay.columns]\nmotion.xi = \"nu\"\n"
 
-# Every command that solves a contact, with a scene that is no solution: the program ends with 3. {0}: the scene, {1}: a name.
+# Every command that solves a contact, with a scene that is no solution: the program ends with 3. {0}: the scene, {1}: a name, {2}: a run.
 SOLVE = {"solve": (SHIFT, ["{0}"]), "compare": (STEADY, ["{0}", "--models", "halfspace,tangent_plane"]), "sweep": (SHIFT + SWEEP, ["{0}", "-o", "{1}.h5"]),
          "creep-curves": (STEADY, ["{0}", "--xi", "-1e-3:1e-3:3"]), "table": (SHIFT + TABLE, ["{0}", "-o", "{1}.h5"]), "fatigue": (SHIFT, ["{0}"]),
-         "shakedown": (SHIFT, ["{0}"]),
+         "shakedown": (SHIFT, ["{0}"]), "replay": (SHIFT + REPLAY, ["{2}", "{0}", "-o", "{1}.h5"]),
          "wear": (ON_RAIL + "load.force = 8e4\n", ["{0}"]), "wheelset": (AXLE, ["{0}"]), "study": (SHIFT, ["{0}", "-o", "{1}"])}
 SHOW = {"info", "report", "plot"}  # files of results: Doors has what each says
 ASKED = {"explore": "it serves a page; test_explore and test_answers ask it"}
@@ -188,6 +189,7 @@ class EveryDoor(unittest.TestCase):
         self.temporary = tempfile.TemporaryDirectory()
         self.folder = Path(self.temporary.name)
         (self.folder / "steps.csv").write_text("load\n" + "0.01\n" * 4 + "-0.01\n")  # the last step is a solution, those before are none
+        (self.folder / "run.csv").write_text("nu\n1e-3\n2e-3\n")
 
     def tearDown(self):
         self.temporary.cleanup()
@@ -206,7 +208,7 @@ class EveryDoor(unittest.TestCase):
         for command, (text, words) in SOLVE.items():
             with self.subTest(command):
                 scene = self.scene(text)
-                done = self.program(command, *(word.format(scene, self.folder / f"out_{command}") for word in words))
+                done = self.program(command, *(word.format(scene, self.folder / f"out_{command}", self.folder / "run.csv") for word in words))
                 self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
 
     def of_functions(self):
