@@ -20,6 +20,8 @@ double across(const Vector3& a, const Vector3& b) {
 
 ContactLocus::ContactLocus(const WheelOnRail& pair)
     : wheel_(pair.wheel), radius_(pair.wheel_radius), frame_(pair.wheel_frame()), roller_(pair.roller) {
+  if (pair.uneven)
+    nearest_.emplace(*pair.uneven, frame_, radius_);
   trace();
 }
 
@@ -56,6 +58,16 @@ void ContactLocus::lower(double by) {
 }
 
 std::optional<ContactLocus::Meridian> ContactLocus::meridian(Point2 position, Point2 tangent) const {
+  std::optional<Meridian> m = even_meridian(position, tangent);
+  if (!nearest_ || !m || !(tangent.y < 0)) // a surface that looks up meets no rail
+    return m;
+  m->uneven = nearest_->at(position, surface(position, tangent, *m).normal);
+  m->sine = std::sin(m->uneven->theta);
+  m->cosine = std::cos(m->uneven->theta);
+  return m;
+}
+
+std::optional<ContactLocus::Meridian> ContactLocus::even_meridian(Point2 position, Point2 tangent) const {
   const double n_y = tangent.z, n_r = -tangent.y; // outward: into the body is (-tangent.z, tangent.y)
   double a = n_r * frame_.forward[0], b = n_r * frame_.down[0], c = -n_y * frame_.axle[0];
   if (roller_) {
@@ -75,12 +87,13 @@ std::optional<ContactLocus::Meridian> ContactLocus::meridian(Point2 position, Po
 }
 
 Vector3 ContactLocus::on_circle(Point2 position, const Meridian& m) const {
-  const double r = radius_ + position.z;
+  const double r = radius_ + position.z - (m.uneven ? nearest_->surfaces().wheel(m.uneven->theta) : 0.0);
   const auto along = [&](int i) {
     return frame_.centre[i] + position.y * frame_.axle[i] +
            r * (m.cosine * frame_.down[i] + m.sine * frame_.forward[i]);
   };
-  return {along(0), along(1), along(2)};
+  const double x = along(0);
+  return {x, along(1), along(2) - (m.uneven ? nearest_->surfaces().rail(x) : 0.0)};
 }
 
 std::optional<ContactLocus::Point> ContactLocus::point(double s, Point2 position, Point2 tangent) const {
@@ -90,7 +103,7 @@ std::optional<ContactLocus::Point> ContactLocus::point(double s, Point2 position
   Vector3 p = on_circle(position, *m);
   if (roller_)
     p = roller_->unrolled(p);
-  return Point{s, p[0], {p[1], p[2]}};
+  return Point{s, m->uneven ? m->uneven->x : p[0], {p[1], p[2]}};
 }
 
 ContactLocus::Surface ContactLocus::surface(Point2 position, Point2 tangent, const Meridian& m) const {
@@ -131,6 +144,8 @@ double ContactLocus::curvature_along_x(int k, double t) const {
   const auto m = meridian(q.position, q.tangent);
   if (!m)
     return 0;
+  if (m->uneven)
+    return 2 * m->uneven->half;
   // Euler's formula with the principal directions, along the profile and around the axle.
   const auto table = wheel_.nodes();
   const double profile = angle_from_to(table[a.interval].after, table[a.interval + 1].before) / (b.s - a.s);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/geometry/nearest_along.hpp"
 #include "bem_contact/geometry/placement.hpp"
 
 #include <optional>
@@ -20,6 +21,10 @@ namespace bem_contact {
 /// normal and A a point of the axis that is y . ((P - A) x n) = 0, which is of the same form: a sin theta + b
 /// cos theta = c. The locus is unrolled (roller.hpp), and again it is a curve against the profile of the
 /// rail. At an edge (a convex kink of the profile) the normal turns while s stays.
+///
+/// Of an uneven wheel or rail the locus has the point of each circle that comes nearest to the straightened
+/// rail (NearestAlong). Its x is then the middle of the stretch that is nearly as near, and its curvature
+/// along x that of a parabola as wide as the stretch.
 class ContactLocus {
 public:
   explicit ContactLocus(const WheelOnRail& pair);
@@ -54,8 +59,10 @@ private:
   /// Where on its circle a point of the profile has the normal that the rail can meet.
   struct Meridian {
     double sine = 0, cosine = 1; ///< of theta
+    std::optional<NearestAlong::Place> uneven = {};
   };
   std::optional<Meridian> meridian(Point2 position, Point2 tangent) const;
+  std::optional<Meridian> even_meridian(Point2 position, Point2 tangent) const;
   Vector3 on_circle(Point2 position, const Meridian& m) const; ///< that point, in space
   /// Of the wheel's normal there, as the half-plane of the roller sees it (a straight rail: the track).
   struct Surface {
@@ -71,6 +78,7 @@ private:
   double radius_ = 0;
   WheelFrame frame_;
   std::optional<Roller> roller_;
+  std::optional<NearestAlong> nearest_; ///< nothing: the wheel is round and the rail the same along x
   std::vector<Node> nodes_;
 };
 

@@ -156,6 +156,13 @@ WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, Tabul
     pair.roller = Roller{position.roller_radius + position.rail_vertical};
     require_axis_below(pair);
   }
+  if (position.uneven.given()) {
+    if (pair.roller)
+      throw InputError("An uneven wheel or rail does not stand on a roller",
+                       "on a roller rig both are taken as round",
+                       "Leave out wheel.flat, wheel.polygon and rail.joint, or rail.roller_radius.");
+    pair.uneven = UnevenSurfaces(position.uneven, position.wheel_radius);
+  }
   const WheelDeviation& d = position.deviation;
   pair.deviation = {side * d.lateral, d.vertical, side * d.roll, side * d.yaw};
   const Point2 tape_radius{0, -position.wheel_radius};

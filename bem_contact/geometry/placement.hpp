@@ -2,6 +2,7 @@
 
 #include "bem_contact/geometry/roller.hpp"
 #include "bem_contact/geometry/tabulated_profile.hpp"
+#include "bem_contact/geometry/unevenness.hpp"
 #include "bem_contact/profile/profile_reading.hpp"
 
 #include <optional>
@@ -44,6 +45,7 @@ struct WheelsetPosition {
   /// 0: a straight rail.
   double roller_radius = 0;
   WheelDeviation deviation = {}; ///< of this wheel, in a flexible wheelset
+  Unevenness uneven = {};        ///< of a wheel that is not round, and of a joint of the rail
 
   bool operator==(const WheelsetPosition&) const = default;
 };
@@ -75,6 +77,10 @@ struct Pose {
 /// about the axle, r = wheel_radius + z of its section. In a flexible wheelset this wheel is then moved by
 /// its WheelDeviation. On a roller rig the rail is a Roller, and all places are unrolled ones.
 /// WheelsetPosition::rail_origin and wheel_origin put the origins of the sections elsewhere.
+///
+/// An uneven rail is looked at straightened: what lies lower by UnevenSurfaces::rail(x) is lifted by as much,
+/// and the wheel above it with it. So the rail is the same all along x again, and distances along z are what
+/// they are. To first order in the slope of the rail all else is too.
 struct WheelOnRail {
   TabulatedProfile rail, wheel;      ///< in their own section frames
   Pose rail_pose, wheel_pose;        ///< wheel_pose is that before the yaw; rail_pose is final
@@ -83,9 +89,17 @@ struct WheelOnRail {
   double centre_y = 0;               ///< the vertical about which it is yawed, mm
   std::optional<Roller> roller = {}; ///< nothing: the rail is straight
   WheelDeviation deviation = {};     ///< in the frame of its side; all but its yaw are in wheel_pose already
+  std::optional<UnevenSurfaces> uneven = {}; ///< nothing: the wheel is round and the rail the same along x
 
   /// A point of the rail's profile at its own arc length, in the track frame; delta too, curvature as it is.
   CurvePoint rail_at(double s) const;
+  /// A point of the straightened rail at x, where it is in space.
+  Vector3 in_space(double x, Point2 p) const { return {x, p.y, p.z + rail_lower(x)}; }
+  /// By how much it is lifted at x, mm; 0 on an even rail and in a gap, where there is none.
+  double rail_lower(double x) const {
+    const double lower = uneven ? uneven->rail(x) : 0;
+    return lower < UnevenSurfaces::no_rail ? lower : 0;
+  }
   WheelFrame wheel_frame() const; ///< the wheel as it is yawed and rolled
   Vector3
   wheelset_centre() const; ///< where the vertical about which the wheelset is yawed meets its axle, mm
@@ -94,7 +108,7 @@ struct WheelOnRail {
 /// Places both. The wheelset's centre is at z = -wheel_radius, so that the wheel may hang above the rail or
 /// cut into it: see lower_to_touch().
 /// Throws InputError where a rail that is placed by its gauge face has none at the given height, and where a
-/// roller's axis is not below all of the rail.
+/// roller's axis is not below all of the rail, and for unevenness on a roller.
 WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, TabulatedProfile wheel);
 
 } // namespace bem_contact

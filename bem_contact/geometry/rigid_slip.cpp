@@ -126,15 +126,15 @@ RigidSlip slip_on_roller(const WheelOnRail& pair, const ReferencePoint& referenc
 
 } // namespace
 
-double radius_at(const WheelFrame& frame, const std::optional<Roller>& roller, double x, Point2 point) {
-  if (!roller)
-    return cross(frame.axle, between(frame.centre, {x, point.y, point.z}))[0];
-  const Vector3 turned = cross(frame.axle, between(frame.centre, roller->in_space(x, point)));
-  return Roller::seen(turned, roller->angle(x, point))[0];
+double radius_at(const WheelOnRail& pair, const WheelFrame& frame, double x, Point2 point) {
+  if (!pair.roller)
+    return cross(frame.axle, between(frame.centre, pair.in_space(x, point)))[0];
+  const Vector3 turned = cross(frame.axle, between(frame.centre, pair.roller->in_space(x, point)));
+  return Roller::seen(turned, pair.roller->angle(x, point))[0];
 }
 
 double radius_at(const WheelOnRail& pair, double x, Point2 point) {
-  return radius_at(pair.wheel_frame(), pair.roller, x, point);
+  return radius_at(pair, pair.wheel_frame(), x, point);
 }
 
 RollingSpeed rolling_speed(const WheelOnRail& pair, const ReferencePoint& reference,
@@ -174,9 +174,15 @@ RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, c
   const double turning = (1 - creepage.xi) / radius; // 1 / R_roll
   const WheelMotion wheel(pair, creepage);
   const AddedCreepage added{reference, creepage};
+  double rising = 0;
+  if (pair.uneven) {
+    const Vector3 v = wheel.at(pair.in_space(reference.x, reference.position), turning);
+    rising = -dot(Point2{v[1], v[2]}, normal_of(reference.delta)) / std::cos(reference.delta);
+  }
   return fields(rows, x, [&](const ContactRow& row, double at) {
-    Vector3 v = wheel.at({at, row.position.y, row.position.z}, turning);
+    Vector3 v = wheel.at(pair.in_space(at, row.position), turning);
     v[0] += 1;
+    v[2] += rising;
     return added.on(row, at, v);
   });
 }

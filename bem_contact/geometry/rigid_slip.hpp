@@ -53,6 +53,9 @@ struct RigidSlip {
 /// and all is over the mean V' of both surface speeds at the reference point (mean_surface_speed()). There
 /// w_x is the difference of these speeds over V', plus xi as on a track; to first order in creepage a large
 /// roller is a track. `rows`, `x`: middles of the elements, mm.
+///
+/// On uneven bodies the wheel's centre rises and falls as it rolls: by so much that at the reference point
+/// nothing moves along the rail's normal.
 RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, const Creepage& creepage,
                      std::span<const ContactRow> rows, std::span<const double> x);
 
@@ -77,8 +80,8 @@ double mean_surface_speed(const WheelOnRail& pair, const ReferencePoint& referen
 /// How far a point of the wheel lies from its axle across the rolling direction, mm: a wheel that rolls with
 /// this radius does not slide along x there. `x`, `point`: in the track frame, mm.
 double radius_at(const WheelOnRail& pair, double x, Point2 point);
-/// The same of a frame that is known: `roller` as WheelOnRail has it.
-double radius_at(const WheelFrame& frame, const std::optional<Roller>& roller, double x, Point2 point);
+/// The same with the frame of the pair, where it is known.
+double radius_at(const WheelOnRail& pair, const WheelFrame& frame, double x, Point2 point);
 
 /// Returns the rigid shift of a wheel that does not roll, mm: w_x = xi - phi s, w_s = (eta + phi x) cos(delta
 /// - delta of the reference point), xi, eta in mm and phi in rad, s along the tangent there, s and x from

@@ -26,6 +26,18 @@ BEM_CONTACT_TUNED(double, flat_distance, 2e-5);
 /// 1 (share of an interval), and mm for y of 1 mm. Where these Newton steps end: a digit above rounding.
 BEM_CONTACT_TUNED(double, height_tolerance, 1e-13);
 
+// Uneven wheels and rails.
+
+/// mm. Steps in which a circle of the wheel is sampled: shorter than any contact, and than the rounded edge
+/// of a flat that is worth telling from a sharp one.
+BEM_CONTACT_TUNED(double, uneven_step, 0.5);
+/// mm. Beyond the range of unevenness by this much the surfaces are looked at: a loaded contact reaches
+/// there.
+BEM_CONTACT_TUNED(double, uneven_margin, 0.1);
+/// mm. Overlap at which the length of a contact on uneven bodies is estimated: half of the approach under a
+/// wheel load, of which half again is overlap.
+BEM_CONTACT_TUNED(double, uneven_depth, 0.03);
+
 // Undeformed distance.
 
 /// mm. A row farther from the wheel has no undeformed distance: far beyond any approach and any flange root.

@@ -20,6 +20,9 @@ constexpr double section_margin = 6.0;
 constexpr int node_stride = 12;
 /// 1. Rows for which that is begun together. Larger groups have more nodes within their reach. Measured.
 constexpr int rows_together = 16;
+/// 1. Steps to the angle at which a wheel that is not round meets a plane x = const: each is some 100 times
+/// nearer. A bound.
+constexpr int uneven_steps = 20;
 /// 1. Room for rounding in the square of that reach.
 constexpr double rounding_of_reach = 1e-12;
 
@@ -43,7 +46,8 @@ public:
   };
 
   WheelSection(const WheelOnRail& pair, const WheelFrame& frame, double x, int first, int last)
-      : wheel_(pair.wheel), frame_(frame), radius_(pair.wheel_radius), x_(x), first_(first),
+      : wheel_(pair.wheel), frame_(frame), uneven_(pair.uneven ? &*pair.uneven : nullptr),
+        radius_(pair.wheel_radius), x_(x), rail_(uneven_ ? uneven_->rail(x) : 0), first_(first),
         places_(last - first + 1) {}
 
   int last() const { return static_cast<int>(places_.size()) - 1; }
@@ -56,24 +60,40 @@ public:
   }
 
 private:
+  struct Angle {
+    double sine = 0, cosine = 1;
+  };
   /// Nothing where the wheel does not reach the plane: on the circle of a point (y, z) the angle from `down`
   /// to `forward` is where its x is that of the plane.
-  std::optional<Point2> from_section(Point2 p) const {
-    const double r = radius_ + p.z;
+  std::optional<Angle> angle_at(double y, double r) const {
     if (r <= 0)
       return std::nullopt;
     const double a = frame_.forward[0], b = frame_.down[0];
-    const double c = (x_ - frame_.centre[0] - p.y * frame_.axle[0]) / r;
+    const double c = (x_ - frame_.centre[0] - y * frame_.axle[0]) / r;
     const double size = a * a + b * b, under = size - c * c;
     if (under <= 0)
       return std::nullopt;
     const double root = std::sqrt(under);
-    const double sine = (a * c - b * root) / size, cosine = (b * c + a * root) / size;
+    return Angle{(a * c - b * root) / size, (b * c + a * root) / size};
+  }
+  std::optional<Point2> from_section(Point2 p) const {
+    double r = radius_ + p.z;
+    std::optional<Angle> angle = angle_at(p.y, r);
+    // The radius there depends a little on the angle, and the angle hardly on the radius.
+    for (int i = 0; uneven_ && angle && i < uneven_steps; ++i) {
+      const double before = r;
+      r = radius_ + p.z - uneven_->wheel(std::atan2(angle->sine, angle->cosine));
+      angle = angle_at(p.y, r);
+      if (std::abs(r - before) < crossing_distance)
+        break;
+    }
+    if (!angle)
+      return std::nullopt;
     const auto coordinate = [&](int i) {
       return frame_.centre[i] + p.y * frame_.axle[i] +
-             r * (cosine * frame_.down[i] + sine * frame_.forward[i]);
+             r * (angle->cosine * frame_.down[i] + angle->sine * frame_.forward[i]);
     };
-    return Point2{coordinate(1), coordinate(2)};
+    return Point2{coordinate(1), coordinate(2) - rail_};
   }
 
   enum class State { unknown, reached, missed };
@@ -92,7 +112,9 @@ private:
 
   const TabulatedProfile& wheel_;
   const WheelFrame& frame_;
+  const UnevenSurfaces* uneven_; ///< null: even bodies
   double radius_, x_;
+  double rail_; ///< how much lower than a straight rail this one is at x, mm
   int first_;
   mutable std::vector<Place> places_; ///< of the nodes, as far as they were asked for
 };

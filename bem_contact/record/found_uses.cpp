@@ -79,6 +79,17 @@ constexpr RangeOfSweep ranges_of_sweeps[] = {
     {"right_T_gamma", "The work of friction (T-gamma) of the right wheel", true},
     {"left_T_gamma", "That of the left wheel", true}};
 
+/// How far the wheel's centre moves down as it goes along the track.
+std::string passage_text(const Record& r) {
+  const auto least = smallest_of(r, "vertical"), most = largest_of(r, "vertical");
+  if (!has(r, "position.along") || !least || !most)
+    return "";
+  const double lowest = stated_at(r, "vertical", *most)->value,
+               highest = stated_at(r, "vertical", *least)->value;
+  return fmt::format("Along the track the wheel's centre dips by {} mm, and is lowest at {}.",
+                     rounded(lowest - highest, std::nan("")), case_text(r, *most));
+}
+
 /// What is worn off by one contact: `of` "The right wheel" ...
 std::string rates_text(const Record& rates, const std::string& side) {
   return fmt::format(
@@ -138,8 +149,8 @@ constexpr std::size_t most_of_study = 5; // sentences, besides those about parts
 
 bool is_found_in_sweep(const std::string& name) {
   const bool swept = name.find('.') != name.npos && name.find('/') == name.npos;
-  return swept || is_of_replay(name) || name == "status" ||
-         (name.ends_with("_count") && name != "warning_count") ||
+  return swept || is_of_replay(name) || name == "status" || name == "vertical" ||
+         name == error_name("vertical") || (name.ends_with("_count") && name != "warning_count") ||
          std::ranges::any_of(ranges_of_sweeps, [&](const RangeOfSweep& range) {
            return name == range.name || name == error_name(range.name);
          });
@@ -156,6 +167,7 @@ Found of_sweep(const Record& r) {
   for (const RangeOfSweep& range : ranges_of_sweeps)
     if (range.wheelset == wheelsets)
       add_if(found.sentences, range_text(r, range.name, range.words));
+  add_if(found.sentences, passage_text(r));
   found.next = {question(r, "Do cracks begin under these loads?", "fatigue"),
                 question(r, "What becomes of the profiles?", "wear")};
   if (is_replay(r)) // those take the cases of [sweep]

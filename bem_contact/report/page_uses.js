@@ -50,7 +50,9 @@ const addCaseView = () => {
 const variedKeys = () => sweptKeys(data).filter(k => new Set(data[k].values).size > 1);
 const ofWheelsets = () => "right_share" in data;
 const isReplay = () => "solved" in data; // of a vehicle program's run
-const sweepViews = () => VIEWS[isReplay() ? "replay" : ofWheelsets() ? "sweep of wheelsets" : "sweep"];
+const alongTrack = () => variedKeys().includes("position.along") && "vertical" in data;
+const sweepViews = () =>
+  VIEWS[isReplay() ? "replay" : ofWheelsets() ? "sweep of wheelsets" : alongTrack() ? "sweep along the track" : "sweep"];
 /// Both wheels' columns of a name; itself where both have one.
 const ofWheels = name => name in data ? [name] : [`right_${name}`, `left_${name}`];
 let showCase; // of the sweep that is added

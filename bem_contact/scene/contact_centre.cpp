@@ -18,8 +18,8 @@ double foundation(const RailSlice& c, double q) {
 
 } // namespace
 
-std::optional<ContactCentre> contact_centre(std::span<const RailSlice> slices, const WheelFrame& frame,
-                                            const std::optional<Roller>& roller, double compliance,
+std::optional<ContactCentre> contact_centre(std::span<const RailSlice> slices, const WheelOnRail& pair,
+                                            const WheelFrame& frame, double compliance,
                                             const ContactLoad& load) {
   const auto vertical = [&](double q) {
     double sum = 0;
@@ -36,7 +36,7 @@ std::optional<ContactCentre> contact_centre(std::span<const RailSlice> slices, c
     sum += share;
     centre.s += share * c.s;
     centre.x += share * c.x;
-    centre.rolling_radius += share * radius_at(frame, roller, c.x, c.position);
+    centre.rolling_radius += share * radius_at(pair, frame, c.x, c.position);
   }
   if (!(sum > 0))
     return std::nullopt;

@@ -25,8 +25,8 @@ struct ContactCentre {
 /// Centre of the pressure of an elastic foundation (Winkler) under the same load. Unlike the point of first
 /// touch it moves continuously when a second area takes over the load, and so does all that refers to it.
 /// Nothing where the bodies do not touch.
-std::optional<ContactCentre> contact_centre(std::span<const RailSlice> slices, const WheelFrame& frame,
-                                            const std::optional<Roller>& roller, double compliance,
+std::optional<ContactCentre> contact_centre(std::span<const RailSlice> slices, const WheelOnRail& pair,
+                                            const WheelFrame& frame, double compliance,
                                             const ContactLoad& load);
 
 } // namespace bem_contact

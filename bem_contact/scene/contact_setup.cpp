@@ -63,7 +63,7 @@ ContactSetup set_up_touching(const SceneFile& scene, LoweredWheel bodies, const 
   const WheelOnRail& pair = bodies.pair;
   std::vector<RailSlice> slices = slice_rail(pair, bodies.locus);
   const std::optional<ContactCentre> centre =
-      contact_centre(slices, bodies.locus.frame(), pair.roller,
+      contact_centre(slices, pair, bodies.locus.frame(),
                      contact_compliance(scene.rail.material, scene.wheel.material), load);
   const TouchPoint& deepest = bodies.touch.front();
   ReferencePoint reference{deepest.position, deepest.rail_s, deepest.delta, deepest.x};

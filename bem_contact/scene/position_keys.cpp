@@ -49,6 +49,11 @@ void add_position(Schema& s, SceneFile::Position& p) {
   t.add("side", p.side,
         "Which wheel of the wheelset; y, s and what is along them are counted towards its side");
   t.add("lateral", p.lateral, "Lateral displacement of the wheelset, positive to the right", {.unit = "mm"});
+  t.add(
+      "along", p.uneven.along,
+      "Place of the wheelset along the track, for a wheel or rail that is uneven: the wheel has rolled there "
+      "from 0",
+      {.unit = "mm", .at_least = -farthest_along, .at_most = farthest_along});
   t.add("gauge", p.gauge, "Track gauge", {.unit = "mm", .above = 0});
   t.add("gauge_height", p.gauge_height, "Depth below the top of the rail where the gauge is taken",
         {.unit = "mm", .above = 0});

@@ -378,8 +378,10 @@ void check_keys(const SceneFile& f, const Schema& s) {
   check_stresses(f.stresses, s);
   if (f.kind == SceneKind::patch)
     check_patch(f, s);
-  else
+  else {
     check_wheel_rail(f, s);
+    check_unevenness(f, s);
+  }
   if (f.solver.model && words_of(*f.solver.model).needs_files && f.rail.influence.empty() &&
       f.wheel.influence.empty())
     s.refuse("solver.model", "no influence file is given",

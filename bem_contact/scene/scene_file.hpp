@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/material.hpp"
 #include "bem_contact/base/schema.hpp"
+#include "bem_contact/geometry/unevenness.hpp"
 #include "bem_contact/profile/profile_reading.hpp"
 #include "bem_contact/scene/choices.hpp"
 #include "bem_contact/scene/scene_text.hpp"
@@ -46,6 +47,9 @@ struct SceneFile {
     BodyPlace place = BodyPlace::gauge; ///< by gauge and flange back, or where the file puts it
     double y = 0, z = 0; ///< absolute: where the section's origin stands (WheelsetPosition), mm
     std::optional<double> roller_radius = {}; ///< rail of a roller rig: WheelsetPosition::roller_radius, mm
+    WheelFlat flat = {};                      ///< [wheel.flat]
+    WheelPolygon polygon = {};                ///< [wheel.polygon]
+    RailJoint joint = {};                     ///< [rail.joint]
     Material material;                        ///< [rail.material], [wheel.material]
     std::optional<double> limit_pressure =
         {};                 ///< [rail.material]: p_n is no larger, MPa; empty: that of `steel`
@@ -57,7 +61,7 @@ struct SceneFile {
   };
   Side rail, wheel; ///< in a patch: the lower and the upper body
 
-  /// [position], wheel_rail
+  /// [position], wheel_rail. `uneven` holds what [wheel.flat], [wheel.polygon] and [rail.joint] say.
   struct Position : WheelsetPosition {
     /// Instead of a load: z of the wheelset's centre plus wheel_radius, mm: how far the centre is lower than
     /// wheel_radius above the rail.

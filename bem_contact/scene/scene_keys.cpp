@@ -182,6 +182,8 @@ Schema scene_schema(SceneFile& f, SceneKeysAsRead& read) {
   s.add("kind", f.kind, "A wheel on a rail, or one contact problem given directly");
   add_side(s, "rail", "The rail", f.rail, "a standard of bem_contact profile --list", read.rail_young);
   add_side(s, "wheel", "The wheel", f.wheel, "a standard, as S1002", read.wheel_young);
+  add_rail_joint(s, f.rail.joint);
+  add_wheel_unevenness(s, f.wheel);
   add_position(s, f.position);
   add_track(s, f.track);
   add_load(s, f.load);
@@ -212,6 +214,9 @@ void settle(SceneFile& f, const Schema& s, const SceneKeysAsRead& read) {
   settle_left(s, "left_rail", f.rail, f.wheelset.left_rail);
   settle_left(s, "left_wheel", f.wheel, f.wheelset.left_wheel);
   f.position.roller_radius = f.rail.roller_radius.value_or(0);
+  f.position.uneven.flat = f.wheel.flat;
+  f.position.uneven.polygon = f.wheel.polygon;
+  f.position.uneven.joint = f.rail.joint;
   if (read.s_from != 0 || read.s_to != 0)
     f.grid.rows = {read.s_from, read.s_to};
 }

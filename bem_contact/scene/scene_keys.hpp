@@ -10,6 +10,9 @@ namespace bem_contact {
 inline const std::vector<std::string> wheel_rail_alone{std::string(name_of(SceneKind::wheel_rail))};
 inline const std::vector<std::string> patch_alone{std::string(name_of(SceneKind::patch))};
 
+/// mm. Farthest place along the track: 100 km, where places are rounded to 1e-8 mm.
+constexpr double farthest_along = 1e8;
+
 /// Values of keys that have no member of their own in SceneFile; settle() turns them into one.
 struct SceneKeysAsRead {
   double rail_young = 0, wheel_young = 0; ///< MPa; else the shear modulus
@@ -40,6 +43,10 @@ std::vector<OverruledKey> overruled_keys(const SceneFile& scene, const Schema& s
 /// modulus.
 void add_side(Schema& s, const std::string& name, const std::string& role, SceneFile::Side& side,
               const std::string& standards, double& young);
+void add_wheel_unevenness(Schema& s, SceneFile::Side& wheel); ///< [wheel.flat], [wheel.polygon]
+void add_rail_joint(Schema& s, RailJoint& joint);             ///< [rail.joint]
+/// Throws InputError for unevenness that contradicts itself or other keys.
+void check_unevenness(const SceneFile& file, const Schema& schema);
 void add_position(Schema& s, SceneFile::Position& p);   ///< [position]
 void add_track(Schema& s, SceneFile::Track& track);     ///< [track]
 void add_load(Schema& s, SceneFile::Load& load);        ///< [load]

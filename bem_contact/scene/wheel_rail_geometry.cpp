@@ -74,8 +74,8 @@ std::vector<double> WheelRailGeometry::wheel_stations(const std::vector<ContactR
 }
 
 std::vector<double> WheelRailGeometry::gap(const GridPlan& plan, const std::vector<ContactRow>& rows) const {
-  // Without yaw symmetric in x: half of the columns are computed.
-  const bool symmetric = pair.yaw == 0 && plan.x_centre == 0;
+  // Without yaw even bodies are symmetric in x: half of the columns are computed.
+  const bool symmetric = pair.yaw == 0 && plan.x_centre == 0 && !pair.uneven;
   const int computed = symmetric ? (plan.columns + 1) / 2 : plan.columns;
   std::vector<double> x = plan.grid().columns();
   x.resize(computed);

@@ -147,7 +147,7 @@ void add_touch_points(const ContactSetup& setup, const ContactEstimate& estimate
 /// Of the rigid bodies at this displacement and at the flange; then the turn of the normal under the load.
 void add_conformity(const ContactCase& asked, std::vector<std::string>& lines) {
   const WheelOnRail& pair = asked.setup.wheel_rail()->pair;
-  if (pair.roller)
+  if (pair.roller || pair.uneven)
     return;
   const WheelsetPosition& position = asked.scene.position;
   try {

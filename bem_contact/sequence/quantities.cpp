@@ -98,6 +98,18 @@ constexpr Quantity known_quantities[] = {
      },
      Missing::possible},
     {"approach", mm, "along z", of_totals<&ContactTotals::approach>},
+    {"vertical", mm,
+     "how far the wheelset's centre is lower than wheel_radius above the rail, loaded; nan: of a patch",
+     [](const SceneResult& r) {
+       const Measured approach = r.result.totals.approach;
+       return r.motion.lowered ? Measured{*r.motion.lowered + approach, approach.error}
+                               : Measured{none, none};
+     },
+     Missing::possible},
+    {"Fx_slope", newton,
+     "longitudinal force of the pressure on a rail that rises or falls along x, besides Fx; nan: no "
+     "rail.joint",
+     [](const SceneResult& r) { return r.motion.slope_force.value_or(none); }, Missing::possible},
     {"pmax", megapascal, "largest pressure", of_totals<&ContactTotals::pmax>},
     {"area", square, "in contact", of_totals<&ContactTotals::area>},
     {"indentation", mm,

@@ -78,6 +78,12 @@ struct SceneMotion {
   bool left = false;             ///< left wheel: y and s are counted to the left (placement.hpp)
   std::optional<double> lateral; ///< wheel_rail: position.lateral, mm: given, or found for load.force_y
   std::optional<LateralPosition> found_lateral; ///< where load.force_y is given
+  /// wheel_rail: by how much the wheelset's centre is lower where the bodies first touch than wheel_radius
+  /// above the rail, mm.
+  std::optional<double> lowered;
+  /// Of a rail that is uneven along x: longitudinal force of the pressure on it, N. Fx is that of the shear
+  /// tractions.
+  std::optional<double> slope_force;
   /// Creepages at the reference point, with what was found for prescribed forces. wheel_rail: xi is counted
   /// from motion.rolling_radius, and phi is without the spin of the geometry. Shift: mm, mm and rad. 0
   /// without friction and where a table gives the rigid slip.

@@ -224,6 +224,41 @@ TEST(SceneFile, rollers_and_flexible_wheels) {
   EXPECT_THAT(refusal(axle + "position.wheel_yaw = 1e-3\n"), HasSubstr("deviation of one wheel"));
 }
 
+TEST(SceneFile, uneven_wheels_and_rails) {
+  const SceneFile f =
+      parse_scene_file(wheel + "position.along = 12\nwheel.flat = { length = 60, depth = 0.9, angle = 0.1 }\n"
+                               "wheel.polygon = { orders = [3, 20], amplitudes = [0.1, 0.02] }\n"
+                               "rail.joint = { at = 5, gap = 8, dip = 2 }\n");
+  EXPECT_EQ(f.position.uneven.flat.depth, 0.9);
+  EXPECT_EQ(f.position.uneven.polygon.orders, (std::vector<double>{3, 20}));
+  EXPECT_EQ(f.position.uneven.joint.gap, 8);
+  EXPECT_EQ(f.position.uneven.along, 12);
+  EXPECT_THAT(f.unused, IsEmpty());
+
+  const std::string flat = wheel + "wheel.flat.length = 60\n";
+  EXPECT_THAT(refusal(flat + "wheel.flat.depth = 1.5\n"), HasSubstr("a chord of 60 mm is 0.9793 mm deep"));
+  EXPECT_THAT(refusal(flat + "wheel.flat.rounding = 40\n"), HasSubstr("the flat is 60 mm long"));
+  EXPECT_THAT(refusal(wheel + "wheel.flat.angle = 1\n"), HasSubstr("neither length nor depth"));
+  EXPECT_THAT(refusal(wheel + "wheel.flat.length = 500\n"), HasSubstr("the wheel's radius is 460 mm"));
+  EXPECT_THAT(refusal(wheel + "wheel.polygon.orders = [3]\n"), HasSubstr("0 of them and 1 orders"));
+  EXPECT_THAT(refusal(wheel + "wheel.polygon = { orders = [2.5], amplitudes = [0.1] }\n"),
+              HasSubstr("2.5 waves do not close"));
+  EXPECT_THAT(refusal(wheel + "wheel.polygon = { orders = [2], amplitudes = [0.1], phases = [0, 1] }\n"),
+              HasSubstr("2 of them and 1 orders"));
+  EXPECT_THAT(refusal(wheel + "rail.joint.at = 3\n"), HasSubstr("neither gap, step nor dip"));
+  EXPECT_THAT(refusal(wheel + "rail.joint = { dip = 10, dip_length = 200 }\n"), HasSubstr("slope by 0.2"));
+  for (const std::string other : {"solver.model = 'fem'\nrail.influence = 'a.h5'\nwheel.influence = 'b.h5'\n",
+                                  "wheel.influence = 'b.h5'\n"})
+    EXPECT_THAT(refusal(flat + other), AllOf(HasSubstr("wheel.flat ("), HasSubstr("of a round wheel")))
+        << other;
+  EXPECT_THAT(refusal(flat + "rail.roller_radius = 500\n"), HasSubstr("on a roller rig"));
+  EXPECT_THAT(refusal(flat + "motion = { kind = 'transient', steps = 3 }\n"),
+              HasSubstr("sweep position.along"));
+  EXPECT_THAT(refusal("rail.profile = '60E1'\nwheel.profile = 'S1002'\nwheelset.force = 2e5\n"
+                      "rail.joint.step = 1\n"),
+              HasSubstr("both wheels as round"));
+}
+
 TEST(SceneFile, keys_without_effect_are_said) {
   const auto unused = [](const std::string& text) {
     std::vector<std::string> texts;

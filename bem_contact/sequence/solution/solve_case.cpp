@@ -94,11 +94,27 @@ double contact_radius(const WheelOnRail& pair, const ContactProblem& problem, co
   return pressed > 0 ? radius_at(pair, x / pressed, (1 / pressed) * point) : 0;
 }
 
+/// SceneMotion::slope_force, N: on a slope the normal of the rail leans back by it. The slope of an element
+/// is that between its ends.
+double slope_force(const WheelOnRail& pair, const ContactProblem& problem, const ContactResult& result) {
+  const ContactGrid& grid = problem.grid;
+  double force = 0;
+  for (int ix = 0; ix < grid.mx; ++ix) {
+    double down = 0; // pressure along z
+    for (int is = 0; is < grid.ms; ++is)
+      down += result.pn[is * grid.mx + ix] * std::cos(problem.rows[is].delta);
+    const double half = 0.5 * grid.dx;
+    if (down != 0)
+      force -= down * (pair.rail_lower(grid.x(ix) + half) - pair.rail_lower(grid.x(ix) - half)) * grid.ds;
+  }
+  return force;
+}
+
 /// Of the rigid bodies; nothing where a wheel without its yaw does not touch.
 std::optional<Conformity> conformity_of_case(const ContactCase& asked) {
   const WheelRailGeometry& placed = *asked.setup.wheel_rail();
   const WheelsetPosition& position = asked.scene.position;
-  if (placed.pair.roller)
+  if (placed.pair.roller || placed.pair.uneven)
     return std::nullopt;
   if (placed.pair.yaw == 0 && placed.pair.deviation.yaw == 0 && !placed.structure) { // it stands there
     Conformity out = conformity(placed.pair, placed.touch.front(), position.gauge_height);
@@ -154,6 +170,9 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
     out.motion.lateral = asked.scene.position.lateral;
     out.motion.rolling = rolling_speed(placed->pair, out.motion.reference, asked.setup.motion.creepage);
     out.motion.contact_radius = contact_radius(placed->pair, out.problem, out.result);
+    out.motion.lowered = placed->lowered;
+    if (asked.scene.rail.joint.given())
+      out.motion.slope_force = slope_force(placed->pair, out.problem, out.result);
     out.bodies.rail_geometry = placed->pair.rail.digest();
     out.bodies.wheel_geometry = placed->pair.wheel.digest();
   }

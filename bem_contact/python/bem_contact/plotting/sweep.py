@@ -7,6 +7,7 @@ from . import style
 from .kinds import require_columns, text
 from .refusals import refuse
 
+PASSAGE = "position.along"  # the key of a sweep along the track
 MARKS = ("o", "s", "D", "^", "v", "x", "+", "*")
 
 
@@ -132,10 +133,15 @@ def draw(files):
         else:
             draw_totals(first, file, ["approach"], over, groups, certified, lead is not None)
             first.set(title="Approach", xlabel=name)
-        for axis, (names, title) in zip(others, ((["pmax"], "Largest pressure"), (["area"], "Area in contact"), (["Fx", "Fy"], "Forces on the rail"),
-                                                 (["T_gamma"], "Work of friction: wear"), (["Mz"], "Moment about the vertical"))):
+        panels = [(["pmax"], "Largest pressure"), (["area"], "Area in contact"), (["Fx", "Fy"], "Forces on the rail"),
+                  (["T_gamma"], "Work of friction: wear"), (["Mz"], "Moment about the vertical")]
+        if lead == PASSAGE:
+            panels.insert(0, (["vertical"], "Wheel's centre, down"))
+        for axis, (names, title) in zip(others, panels):
             draw_totals(axis, file, names, over, groups, certified, lead is not None)
             axis.set(title=title, xlabel=name)
+            if names == ["vertical"]:
+                axis.invert_yaxis()  # z points down
         if not lead or keys[lead]:
             style.whole_numbers(first.yaxis)
             for axis in others:

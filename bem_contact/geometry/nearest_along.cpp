@@ -1,0 +1,97 @@
+#include "bem_contact/geometry/nearest_along.hpp"
+
+#include "bem_contact/geometry/settings.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <limits>
+#include <utility>
+
+namespace bem_contact {
+
+namespace {
+
+/// 1. Halvings of a sample's length until the end of a stretch is found: 0.5 mm to 1e-12 mm.
+constexpr int end_halvings = 40;
+/// 1. How much farther than by its own tilt the normal of a yawed wheel moves the nearest point: the tangent
+/// of the steepest flange, 75 degrees.
+constexpr double steepest = 4;
+
+double dot(const Vector3& a, const Vector3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+} // namespace
+
+NearestAlong::NearestAlong(UnevenSurfaces surfaces, const WheelFrame& frame, double wheel_radius)
+    : surfaces_(std::move(surfaces)), frame_(frame), radius_(wheel_radius) {
+  // A round wheel rises by x^2 / 2R: farther away than this unevenness cannot bring it to the rail.
+  const double reach = std::sqrt(2 * (surfaces_.range() + uneven_margin) / wheel_radius) +
+                       steepest * std::abs(frame.axle[0]) + uneven_step / wheel_radius;
+  const int count = static_cast<int>(std::ceil(reach * wheel_radius / uneven_step));
+  for (int i = -count; i <= count; ++i) {
+    const double theta = i * uneven_step / wheel_radius;
+    samples_.push_back({theta, std::sin(theta), std::cos(theta), surfaces_.wheel(theta)});
+  }
+}
+
+double NearestAlong::x_of(const Circle& c, double sine, double cosine, double depth) const {
+  return c.x0 + (c.radius - depth) * (cosine * frame_.down[0] + sine * frame_.forward[0]);
+}
+
+/// Along the normal, from the circle's centre towards the rail.
+double NearestAlong::reach(const Circle& c, double theta) const {
+  const double sine = std::sin(theta), cosine = std::cos(theta), depth = surfaces_.wheel(theta);
+  return (c.radius - depth) * (cosine * c.n_down + sine * c.n_forward) -
+         c.n_z * surfaces_.rail(x_of(c, sine, cosine, depth));
+}
+
+/// The angle between two samples at which the reach falls below `least`.
+double NearestAlong::end_of_stretch(const Circle& c, int inside, int outside, double least) const {
+  if (outside < 0 || outside >= static_cast<int>(samples_.size()))
+    return samples_[inside].theta;
+  double in = samples_[inside].theta, out = samples_[outside].theta;
+  for (int i = 0; i < end_halvings; ++i) {
+    const double middle = 0.5 * (in + out);
+    (reach(c, middle) >= least ? in : out) = middle;
+  }
+  return in;
+}
+
+NearestAlong::Place NearestAlong::at(Point2 section, const Vector3& normal) const {
+  const Circle c{radius_ + section.z, frame_.centre[0] + section.y * frame_.axle[0], dot(normal, frame_.down),
+                 dot(normal, frame_.forward), normal[2]};
+  const int last = static_cast<int>(samples_.size()) - 1;
+  std::vector<double> reaches(samples_.size());
+  std::ranges::transform(samples_, reaches.begin(), [&](const Sample& s) {
+    return (c.radius - s.depth) * (s.cosine * c.n_down + s.sine * c.n_forward) -
+           c.n_z * surfaces_.rail(x_of(c, s.sine, s.cosine, s.depth));
+  });
+  const int best = static_cast<int>(std::ranges::max_element(reaches) - reaches.begin());
+  const auto [at, least] = boost::math::tools::brent_find_minima(
+      [&](double angle) { return -reach(c, angle); }, samples_[std::max(best - 1, 0)].theta,
+      samples_[std::min(best + 1, last)].theta, std::numeric_limits<double>::digits / 2);
+  Place out;
+  const double most = std::max(-least, reaches[best]);
+  out.theta = -least > reaches[best] ? at : samples_[best].theta;
+
+  const double inside = most - uneven_depth;
+  int first = best, end = best; // of the samples in the stretch; what lies between its parts belongs to it
+  for (int i = 0; i <= last; ++i)
+    if (reaches[i] >= inside)
+      first = std::min(first, i), end = std::max(end, i);
+  const auto x_at = [&](double angle) {
+    return x_of(c, std::sin(angle), std::cos(angle), surfaces_.wheel(angle));
+  };
+  double from = end_of_stretch(c, first, first - 1, inside), to = end_of_stretch(c, end, end + 1, inside);
+  if (first == best && end == best && reaches[best] < inside) // narrower than a sample
+    from = to = out.theta;
+  from = std::min(from, out.theta), to = std::max(to, out.theta);
+  const double x_from = x_at(from), x_to = x_at(to);
+  const double width = std::max(std::abs(x_to - x_from), uneven_step);
+  out.x = 0.5 * (x_from + x_to);
+  out.half = uneven_depth / (0.25 * width * width);
+  return out;
+}
+
+} // namespace bem_contact

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "bem_contact/geometry/roller.hpp"
+#include "bem_contact/geometry/unevenness.hpp"
+
+#include <vector>
+
+namespace bem_contact {
+
+/// Where on a circle of an uneven wheel it comes nearest to a rail that is uneven along x.
+///
+/// A point of the profile turns about the axle on a circle. On a round wheel above a straight rail the
+/// nearest point of the circle is known (ContactLocus). Unevenness takes it somewhere else, and there may be
+/// several such places, or a stretch: a flat that lies on the rail. So the circle is sampled as far as
+/// unevenness can make it touch, and the best sample refined.
+class NearestAlong {
+public:
+  NearestAlong(UnevenSurfaces surfaces, const WheelFrame& frame, double wheel_radius);
+
+  /// The place, and the stretch in which the circle is nearly as near.
+  struct Place {
+    double theta = 0; ///< angle on the wheel, as in UnevenSurfaces::wheel, rad
+    double x = 0;     ///< middle of the stretch, from the wheelset's centre, mm
+    double half = 0;  ///< 1/mm: a parabola half (x' - x)^2 is as wide as the stretch
+  };
+  /// `section`: the point of the profile; `normal`: outward, where even bodies would be nearest.
+  Place at(Point2 section, const Vector3& normal) const;
+
+  const UnevenSurfaces& surfaces() const { return surfaces_; }
+
+private:
+  /// One circle with the normal along which nearness is measured.
+  struct Circle {
+    double radius, x0, n_down, n_forward, n_z;
+  };
+  double x_of(const Circle& c, double sine, double cosine, double depth) const;
+  double reach(const Circle& c, double theta) const;
+  double end_of_stretch(const Circle& c, int inside, int outside, double least) const;
+
+  UnevenSurfaces surfaces_;
+  WheelFrame frame_;
+  double radius_ = 0;
+  struct Sample {
+    double theta, sine, cosine, depth;
+  };
+  std::vector<Sample> samples_;
+};
+
+} // namespace bem_contact

@@ -1,0 +1,153 @@
+#include "bem_contact/scene/scene_keys.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace bem_contact {
+
+void add_wheel_unevenness(Schema& s, SceneFile::Side& wheel) {
+  SchemaTable flat(s, "wheel.flat", wheel_rail_alone);
+  flat.add("length", wheel.flat.length,
+           "Of a flat of the wheel, along its running surface; 0: that of a chord of this depth, or no flat",
+           {.unit = "mm", .at_least = 0});
+  flat.add("depth", wheel.flat.depth, "In the middle of the flat; 0: that of a chord of this length",
+           {.unit = "mm", .at_least = 0});
+  flat.add("rounding", wheel.flat.rounding,
+           "Length over which each edge of the flat is rounded; 0: new, sharp",
+           {.unit = "mm", .at_least = 0});
+  flat.add("angle", wheel.flat.angle,
+           "Where the middle of the flat is when position.along is 0: 0 below the axle, growing forwards",
+           {.unit = "rad", .at_least = -1e3, .at_most = 1e3});
+  SchemaTable polygon(s, "wheel.polygon", wheel_rail_alone);
+  polygon.add("orders", wheel.polygon.orders,
+              "Waves on the circumference of a wheel that is out of round; none: it is round",
+              {.at_least = 1, .at_most = 1000});
+  polygon.add("amplitudes", wheel.polygon.amplitudes,
+              "One for each order: the radius grows by amplitude cos(order (angle - phase))",
+              {.unit = "mm", .at_least = -10, .at_most = 10});
+  polygon.add(
+      "phases", wheel.polygon.phases,
+      "One for each order: where a crest is when position.along is 0, as wheel.flat.angle; none: all 0",
+      {.unit = "rad", .at_least = -1e3, .at_most = 1e3});
+}
+
+void add_rail_joint(Schema& s, RailJoint& joint) {
+  SchemaTable t(s, "rail.joint", wheel_rail_alone);
+  t.add("at", joint.at, "Where the middle of a joint lies along the track, as position.along",
+        {.unit = "mm", .at_least = -farthest_along, .at_most = farthest_along});
+  t.add("gap", joint.gap, "Between the ends of the rails", {.unit = "mm", .at_least = 0, .at_most = 100});
+  t.add("step", joint.step, "By how much the second rail lies lower at the joint; below 0: higher",
+        {.unit = "mm", .at_least = -20, .at_most = 20});
+  t.add("dip", joint.dip, "How far both ends dip below the rails, two halves of a parabola",
+        {.unit = "mm", .at_least = 0, .at_most = 50});
+  t.add("dip_length", joint.dip_length, "Over which the rails dip, half of it on either side",
+        {.unit = "mm", .above = 0});
+  t.add("rounding", joint.rounding, "Radius of the edges of the rails' ends where there is a gap or a step",
+        {.unit = "mm", .at_least = 0, .at_most = 50});
+}
+
+namespace {
+
+/// 1. Steepest slope of a dip: the rail is looked at straightened, and pressures are off by the square of the
+/// slope, 0.1 %.
+constexpr double steepest_dip = 0.03;
+/// 1. Steepest slope of a wheel out of round: ten times that of a corrugated tyre that is worn out.
+constexpr double steepest_wave = 0.1;
+/// 1. Share by which a depth that is measured may exceed that of the chord.
+constexpr double chord_tolerance = 0.02;
+
+void check_flat(const SceneFile& f, const Schema& s) {
+  const WheelFlat& flat = f.wheel.flat;
+  if (!flat.given()) {
+    for (const char* key : {"wheel.flat.rounding", "wheel.flat.angle"})
+      if (s.changed(key))
+        s.refuse(key, "the flat has neither length nor depth", "Give wheel.flat.length or depth in mm.");
+    return;
+  }
+  const double radius = f.position.wheel_radius;
+  if (flat.length >= radius)
+    s.refuse("wheel.flat.length", fmt::format("the wheel's radius is {:g} mm", radius),
+             "Give the length of the flat in mm.");
+  if (flat.depth >= 0.1 * radius)
+    s.refuse("wheel.flat.depth", fmt::format("the wheel's radius is {:g} mm", radius),
+             "Give the depth of the flat in mm; 1 mm is much.");
+  if (flat.length > 0 && flat.depth > (1 + chord_tolerance) * depth_of_chord(radius, flat.length))
+    s.refuse("wheel.flat.depth",
+             fmt::format("a chord of {:g} mm is {:.4g} mm deep on this wheel, and a rail grinds no hollow",
+                         flat.length, depth_of_chord(radius, flat.length)),
+             "Give a smaller depth, a longer flat, or one of the two.");
+  const double length = flat.length > 0 ? flat.length : 2 * std::sqrt(flat.depth * (2 * radius - flat.depth));
+  if (flat.rounding > 0.5 * length)
+    s.refuse("wheel.flat.rounding", fmt::format("the flat is {:.4g} mm long", length),
+             "Give at most half of that for each of its edges.");
+}
+
+void check_polygon(const SceneFile& f, const Schema& s) {
+  const WheelPolygon& polygon = f.wheel.polygon;
+  const std::size_t orders = polygon.orders.size();
+  if (polygon.amplitudes.size() != orders)
+    s.refuse("wheel.polygon.amplitudes",
+             fmt::format("there are {} of them and {} orders", polygon.amplitudes.size(), orders),
+             "Give one amplitude for each order.");
+  if (!polygon.phases.empty() && polygon.phases.size() != orders)
+    s.refuse("wheel.polygon.phases",
+             fmt::format("there are {} of them and {} orders", polygon.phases.size(), orders),
+             "Give one phase for each order, or none.");
+  if (const auto broken = std::ranges::find_if(polygon.orders, [](double n) { return n != std::round(n); });
+      broken != polygon.orders.end())
+    s.refuse("wheel.polygon.orders", fmt::format("{:g} waves do not close round a wheel", *broken),
+             "Give whole numbers.");
+  double slope = 0;
+  for (std::size_t i = 0; i < orders; ++i)
+    slope += std::abs(polygon.amplitudes[i]) * polygon.orders[i] / f.position.wheel_radius;
+  if (slope > steepest_wave)
+    s.refuse("wheel.polygon.amplitudes",
+             fmt::format("the running surface would slope by up to {:.3g}", slope),
+             "Give the amplitudes in mm; 0.1 mm is much.");
+}
+
+void check_joint(const SceneFile& f, const Schema& s) {
+  const RailJoint& joint = f.rail.joint;
+  if (!joint.given()) {
+    for (const char* key : {"rail.joint.at", "rail.joint.dip_length", "rail.joint.rounding"})
+      if (s.changed(key))
+        s.refuse(key, "the joint has neither gap, step nor dip", "Give one of them in mm.");
+    return;
+  }
+  if (const double slope = 4 * joint.dip / joint.dip_length; slope > steepest_dip)
+    s.refuse("rail.joint.dip", fmt::format("its rails would slope by {:.3g} at the joint", slope),
+             fmt::format("Give a longer rail.joint.dip_length: slopes up to {:g} are solved.", steepest_dip));
+}
+
+} // namespace
+
+void check_unevenness(const SceneFile& f, const Schema& s) {
+  check_flat(f, s);
+  check_polygon(f, s);
+  check_joint(f, s);
+  const char* uneven = f.wheel.flat.given()      ? "wheel.flat"
+                       : f.wheel.polygon.given() ? "wheel.polygon"
+                       : f.rail.joint.given()    ? "rail.joint"
+                                                 : nullptr;
+  if (!uneven)
+    return;
+  const auto refuse = [&](bool holds, const char* why, const char* what_to_do) {
+    if (holds)
+      s.refuse(uneven, why, what_to_do);
+  };
+  refuse(f.solver.model == Model::fem || !f.rail.influence.empty() || !f.wheel.influence.empty(),
+         "the influence functions of model \"fem\" are those of a round wheel and of a rail without a joint",
+         "Choose solver.model = \"halfspace\" or \"tangent_plane\", and leave out the influence files.");
+  refuse(f.rail.roller_radius.has_value(), "on a roller rig wheel and roller are taken as round",
+         "Leave out rail.roller_radius.");
+  refuse(f.motion.kind == MotionKind::transient && !f.motion.frictionless,
+         "transient rolling has the same undeformed distance at each step, and here it changes",
+         "Choose motion.kind = \"steady\" and sweep position.along: each place is then solved as if rolling "
+         "were steady there.");
+  refuse(f.wheelset.force.has_value(),
+         "bem_contact wheelset takes both wheels as round and the rails as even",
+         "Give load.force and solve one wheel.");
+}
+
+} // namespace bem_contact
