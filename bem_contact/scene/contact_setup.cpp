@@ -177,6 +177,9 @@ void ContactSetup::prescribe(const MotionStep& step, ContactProblem& problem) co
   if (step.x && patch())
     problem.gap = patch()->gap_at(*step.x);
   RigidSlip slip = rigid_slip(step, problem.rows, problem.grid.columns());
+  if (step.slip != 1)
+    for (std::vector<double>* w : {&slip.x, &slip.s})
+      std::ranges::for_each(*w, [&](double& value) { value *= step.slip; });
   problem.slip_x = std::move(slip.x);
   problem.slip_s = std::move(slip.s);
 }

@@ -179,6 +179,7 @@ Motion read_motion(const SceneFile& scene) {
   motion.kind = scene.motion.kind;
   motion.radial_displacement = scene.motion.radial_displacement;
   motion.steps = read_steps(scene);
+  motion.steps.front().slip = scene.motion.first_shift;
   if (!scene.motion.friction_table.empty()) {
     const std::filesystem::path file = scene.folder / scene.motion.friction_table;
     motion.friction_by_inclination = csv_columns(file).front() == by_inclination;

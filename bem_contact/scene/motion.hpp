@@ -14,6 +14,7 @@ namespace bem_contact {
 struct MotionStep {
   std::optional<double> load, xi, eta, phi, force_x, force_s;
   std::optional<double> x; ///< where the contact lies on a grid that lies still, mm
+  double slip = 1;         ///< how often the rigid slip of one rolling step
 };
 
 /// How the surfaces move over each other, and with what friction. It holds the contents of the CSV files that

@@ -77,6 +77,11 @@ void add_motion(Schema& s, SceneFile::Motion& m) {
   t.add("frictionless", m.frictionless, "No friction at all: the normal problem alone");
   add_friction(t, m);
   t.add("steps", m.steps, "Steps of transient rolling or of shifts", {.at_least = 1, .at_most = 100000});
+  t.add(
+      "first_shift", m.first_shift,
+      "Transient: in the first step the bodies slide over each other as far as in so many rolling steps, as "
+      "they do where a shift comes before rolling",
+      {.above = 0});
   t.add("step_table", m.step_table,
         "CSV file, one row a step, of columns load, xi, eta, phi, force_x, force_s, x, or some of them: "
         "load is force or approach, whichever is given; force_x and force_s need their keys too; x (mm, "

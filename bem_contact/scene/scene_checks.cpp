@@ -181,6 +181,12 @@ void check_steps(const SceneFile& f, const Schema& s) {
   if (steps && f.motion.kind == MotionKind::steady)
     s.refuse("motion.kind", "steady rolling has no steps",
              "Choose transient or shift, or leave out the steps.");
+  if (f.motion.first_shift != 1 && f.motion.kind != MotionKind::transient)
+    s.refuse("motion.first_shift", "only transient rolling has a first step from rest",
+             "Choose motion.kind = \"transient\", or leave it out.");
+  if (f.motion.first_shift != 1 && !f.motion.start_table.empty())
+    s.refuse("motion.first_shift", "motion.start_table gives tractions that have rolled already",
+             "Leave out one of the two.");
   if (steps && f.motion.frictionless)
     s.refuse("motion.frictionless", "without friction nothing remembers a step",
              "Leave out the steps, or give friction.");

@@ -127,6 +127,9 @@ struct SceneFile {
     /// half_slip_velocity by row.
     std::string friction_table;
     int steps = 1; ///< of transient rolling (dx each) or of shifts
+    /// Transient: the bodies slide in the first step as far as in so many rolling steps (a shift before
+    /// rolling).
+    double first_shift = 1;
     /// CSV file with one row a step and some of the columns load (N where load.force is given, mm where
     /// load.approach is), xi, eta, phi, force_x, force_s (N) and x (mm: where a shifted patch touches).
     std::string step_table;

@@ -143,6 +143,28 @@ class FromContact(Conversion):
         self.assertIn("motion.start_table", self.keys(second))
         self.assertAlmostEqual(self.solve(second)["Fx"], -0.6 * 0.3 * 5000, places=2)
 
+    def test_a_wheel_that_rolls_in_steps(self):
+        """P = 0 and T = 2: the same wheelset, one element further on; T = 1 says the same with distances and angles of a step."""
+        def step(digits: str, place: str, velocity: str, load: str = "80000.") -> str:
+            return f" 1 MODULE\n {digits}\n 0111002\n 0101111\n {place} 2.0 {load} 0.01 0. 0.\n {velocity}\n"
+        speed, shift = "20000. 0. 0. 0. 0. -43.4", "0.4 0. 0. 0. 0. -8.68d-4"
+        rolls = WHEEL.replace("1203100", "1202100")
+        history = self.convert_text(rolls + 2 * step("1002100", "0.", speed) + END)
+        self.assertEqual([(h["first"], h["last"]) for h in history], [(1, 3)])
+        keys = self.keys(history[0])
+        self.assertEqual((keys["motion.kind"], keys["motion.steps"], keys["motion.speed"]), ("transient", 3, 20000))
+        loads = self.changed(rolls + step("1002100", "0.", speed, "70000."))
+        self.assertIn("load\n80000\n70000", (self.folder / "x" / loads["motion.step_table"]).read_text())
+
+        slides = WHEEL.replace("1203100", "1201100").replace(speed, "8.0 0. 0. 0. 0. -0.01736")
+        shifted = self.keys(self.convert_text(slides + step("1001100", "0.4", shift) + step("1001100", "0.8", shift) + END)[0])
+        self.assertEqual((shifted["motion.kind"], shifted["motion.steps"], shifted["motion.first_shift"]), ("transient", 3, 20))
+        self.assertAlmostEqual(shifted["motion.pitch_rate"] / shifted["motion.speed"], 43.4 / 20000)
+        for place, velocity, words in (("0.8", shift, "not one element further on"), ("0.4", shift.replace("-8.68d-4", "-8d-4"), "motion.pitch_rate"),
+                                       ("0.4", "0.8 0. 0. 0. 0. -1.736d-3", "another length")):
+            self.refused(self.convert_text(slides + step("1001100", place, velocity) + END)[1], words)
+        self.refused(self.convert_text(WHEEL + step("1002100", "0.", speed) + END)[1], "another motion.kind")
+
     def test_what_has_no_counterpart_is_refused_by_its_digit(self):
         changes = {
             "B = 3": (("203100 ", "233100 "),), "M = 1": (("022020 ", "022120 "), ("POISS, GG\n", "\n 1 1 1 1\n")),

@@ -110,6 +110,20 @@ TEST_F(MotionTables, TransientRollingTendsToSteadyRolling) {
   EXPECT_NEAR(r.result.totals.Fy, steady.result.totals.Fy, 0.01 * steady.result.totals.Fx);
 }
 
+/// Bodies that shift by 20 elements' worth of slip, and then roll: the first step is Cattaneo's shift.
+TEST_F(MotionTables, AShiftBeforeRolling) {
+  const SceneResult rolls = Sequence().solve(with_model(
+      patch("", "kind = 'transient'\nxi = 5e-5\neta = 2e-5\nsteps = 2\nfirst_shift = 20"), Model::halfspace));
+  const SceneResult shift = Sequence().solve(
+      with_model(patch("", "kind = 'shift'\nxi = 5e-4\neta = 2e-4"), Model::halfspace)); // dx = 0.5 mm
+  ASSERT_EQ(rolls.history.size(), 2u);
+  EXPECT_NEAR(rolls.history[0].totals.Fx, shift.result.totals.Fx, 1e-5 * shift.result.totals.Fx);
+  EXPECT_NEAR(rolls.history[0].totals.Fy, shift.result.totals.Fy, 1e-5 * shift.result.totals.Fx);
+  EXPECT_LT(rolls.result.totals.Fx, rolls.history[0].totals.Fx) << "the tractions of the shift roll out";
+  EXPECT_THAT(refusal(patch("", "kind = 'shift'\nxi = 5e-4\nfirst_shift = 20")),
+              HasSubstr("only transient rolling"));
+}
+
 /// The same history by the table, on the moving grid and on one that lies still, along which the contact
 /// moves.
 TEST_F(MotionTables, MovingAndStillGridRollAlike) {

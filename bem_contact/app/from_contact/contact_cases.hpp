@@ -33,6 +33,8 @@ struct ContactCase {
   /// Shifts of a patch: where a quadratic distance has its middle, x of CONTACT, mm.
   std::optional<double> gap_x = {};
   bool moves = false; ///< gap_x differs from step to step
+  /// Of a wheel's shifts: where the wheelset is along the track, S of CONTACT, mm.
+  std::optional<double> place = {};
   /// What differs from step to step, where there are several.
   struct Step {
     std::map<std::string, std::string> keys;

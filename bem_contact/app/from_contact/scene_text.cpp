@@ -45,6 +45,8 @@ std::string scene_of_case(const ContactCase& one, const std::filesystem::path& i
     if (!(creepage && (slips || needs_step_table(one)))) // the table has them
       out += fmt::format("{} = {}\n", key, key.ends_with(".profile") ? profile_beside(value, folder) : value);
   }
+  if (!one.steps.empty() && !needs_step_table(one))
+    out += fmt::format("motion.steps = {}\n", one.steps.size());
   for (const SceneTableFile& table : tables_of_case(one))
     out += fmt::format("{} = \"{}\"\n", table.key, name_of_table(stem, table));
   return out;

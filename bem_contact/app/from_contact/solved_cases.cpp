@@ -1,5 +1,6 @@
 #include "bem_contact/app/from_contact/solved_cases.hpp"
 
+#include "bem_contact/app/from_contact/histories.hpp"
 #include "bem_contact/app/from_contact/scene_text.hpp"
 #include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/scene/scene_file.hpp"
@@ -102,8 +103,12 @@ void SolvedCases::set_forces(ContactCase& one) {
 void SolvedCases::set_start(const ContactCase& before, ContactCase& next) {
   if (!before.refused.empty())
     return next.refuse(fmt::format("P = 0: it goes on from case {}, which has no scene", before.last));
-  if (!before.grid || !next.grid || !next.refused.empty())
+  if (!next.refused.empty())
     return;
+  if (!before.grid || !next.grid)
+    return next.refuse(
+        fmt::format("P = 0: it goes on from case {}, and is no further step of the same history ({})",
+                    before.last, other_than(before, next)));
   const PatchGrid &from = *before.grid, &to = *next.grid;
   const auto whole = [](double k) { return std::abs(k - std::round(k)) < 1e-3; };
   const double half = 0.5 * (static_cast<double>(from.mx) - static_cast<double>(to.mx)),

@@ -2,8 +2,8 @@
 
 #include "bem_contact/app/from_contact/common_keys.hpp"
 #include "bem_contact/app/from_contact/profile_keys.hpp"
+#include "bem_contact/app/from_contact/wheel_motion_keys.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
@@ -21,19 +21,17 @@ using contact_input::Data;
 bool left(const CaseState& state) {
   return state.digits.is('1', "04");
 }
-bool on_roller(const CaseState& state) {
-  return state.digits.is('1', "45");
-}
 
 void refuse_digits_of_module_1(const CaseState& state, ContactCase& out) {
   const auto& d = state.digits;
   if (d['F'] == 3)
     out.refuse("F = 3: a rail on springs");
-  if (d.is('P', "03") && d.is('T', "12") && !state.first)
-    out.refuse(fmt::format(
-        "P = {}: it goes on from the tractions of the case before; a wheel that moves along in steps "
-        "has no scene",
-        d['P']));
+  if (!d.is('T', "12") || state.first)
+    return;
+  if (d['P'] == 0)
+    out.goes_on_from = state.number - 1;
+  else if (d['P'] == 3)
+    out.refuse("P = 3: it starts from the tractions of the case before the one before");
 }
 
 /// The row of coefficients at the place s along the track, linear in between (V = 2).
@@ -172,71 +170,6 @@ void add_pose(const CaseState& state, ContactCase& out) {
   out.set("position.wheel_vertical", down * std::cos(roll) + along * std::sin(roll));
   out.set("position.wheel_roll", d["DROLL"]);
   out.set("position.wheel_yaw", d["DYAW"]);
-}
-
-/// T = 1: the velocities are distances and angles of one step.
-void add_shift(const CaseState& state, ContactCase& out) {
-  const Block& v = state[Data::velocity];
-  const bool turns = v.number("VPITCH", 0) != 0 || v["VROLL"] != 0 || v["VYAW"] != 0;
-  if (on_roller(state) || turns || v["VY"] != 0 || v["VZ"] != 0 || v.has("FX"))
-    return out.refuse(
-        "T = 1: a wheelset that turns, or shifts along y or z; a scene has the shift at the contact");
-  out.set("motion.xi", v["VS"]);
-  if (state.has(Data::wheel_deviation)) {
-    const Block& d = state[Data::wheel_deviation];
-    if (std::ranges::any_of(std::initializer_list<const char*>{"VX", "VY", "VZ", "VROLL", "VYAW", "VPITCH"},
-                            [&](const char* name) { return d[name] != 0; }))
-      out.refuse("T = 1: a shift of the wheel in its wheelset");
-  }
-}
-
-/// The wheel of a flexible wheelset. There it turns about the axle of the rigid wheelset, however it is
-/// inclined; here about its own. The difference is a yaw and a roll rate, and a forward velocity where its
-/// centre lies off the axle.
-void add_velocity_of_wheel(const CaseState& state, double pitch_rate, ContactCase& out) {
-  const Block& d = state[Data::wheel_deviation];
-  const double radius = state[Data::wheelset]["NOMRAD"], roll = d["DROLL"], yaw = d["DYAW"];
-  if (state.digits['F'] == 1 && (roll != 0 || yaw != 0 || d["DZ"] != 0))
-    return out.refuse(
-        "F = 1 with DZ, DROLL or DYAW of the wheel: it depends on the pitch rate, which is to be found");
-  const double below = d["DZ"] + radius * (1 - std::cos(roll)); // of the wheel's centre, below the axle
-  out.set("motion.wheel_forward_velocity", d["VX"] - pitch_rate * below);
-  out.set("motion.wheel_lateral_velocity", d["VY"] + radius * std::cos(roll) * d["VROLL"]);
-  out.set("motion.wheel_vertical_velocity", d["VZ"] + radius * std::sin(roll) * d["VROLL"]);
-  out.set("motion.wheel_roll_rate", d["VROLL"] - pitch_rate * std::tan(yaw));
-  out.set("motion.wheel_yaw_rate", d["VYAW"] + pitch_rate * std::tan(roll));
-  out.set("motion.wheel_pitch_rate", -d["VPITCH"] + pitch_rate * (1 / (std::cos(roll) * std::cos(yaw)) - 1));
-}
-
-void add_velocity(const CaseState& state, ContactCase& out) {
-  if (state.digits['T'] == 1)
-    return add_shift(state, out);
-  const Block& v = state[Data::velocity];
-  const double speed = on_roller(state) ? v["RPITCH"] * state[Data::track]["NOMRADR"] : v["VS"];
-  if (on_roller(state))
-    out.set("motion.roller_speed", v["RPITCH"]);
-  if (speed <= 0)
-    return out.refuse(speed < 0 ? "VS below 0: a wheelset that runs backwards"
-                                : "VS = 0: a wheelset that does not roll");
-  out.set("motion.speed", speed);
-  out.set("motion.lateral_velocity", v["VY"]);
-  out.set("motion.vertical_velocity", v["VZ"]);
-  out.set("motion.roll_rate", v["VROLL"]);
-  out.set("motion.yaw_rate", v["VYAW"]);
-  if (v.has("VPITCH") && state.digits['F'] != 1)
-    out.set("motion.pitch_rate",
-            -v["VPITCH"]); // about y, to the right: a wheel that rolls forwards turns the other way
-  else if (v.has("FX") && state.digits['F'] == 1) {
-    out.set("load.force_x", v["FX"]);
-    if (const double yaw = state[Data::position]["YAW"]; yaw != 0)
-      out.refuse(fmt::format(
-          "F = 1 with YAW = {}: FX lies along the axis of the wheelset, load.force_x along the track", yaw));
-  } else
-    out.refuse(fmt::format("F = {}: its {} is not given", state.digits['F'],
-                           state.digits['F'] == 1 ? "FX" : "VPITCH"));
-  if (!state.has(Data::wheel_deviation))
-    return;
-  add_velocity_of_wheel(state, -v.number("VPITCH", 0), out);
 }
 
 /// Keys with their default value say nothing.
