@@ -68,8 +68,7 @@ class OneAnswer(unittest.TestCase):
                 self.assertIn(f"{side} wheel where wheelset has put it, by {model} on its elements", said)
                 self.assertEqual(found["creep_curves.model"], model)
                 self.near(max(found["fatigue/patches/pmax"]), alone["track"]["pmax"], "pmax of fatigue")
-                power = alone["result"]["quantities"]
-                self.assertAlmostEqual(sum(found["fatigue/patches/T_gamma"]), power["T_gamma"], delta=power["T_gamma_error"] or 1e-3 * power["T_gamma"])
+                self.near(sum(found["fatigue/patches/T_gamma"]), alone["track"]["T_gamma"], "T-gamma of fatigue")
                 self.near(found["creep_curves/Fz"], alone["track"]["Fz"], "Fz of the creep curves")
                 worn = json.loads(self.call("wear", self.scene, "--json"))
                 for wheel in ("right", "left"):

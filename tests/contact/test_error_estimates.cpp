@@ -49,6 +49,20 @@ struct Tally {
   }
 };
 
+/// The power of friction does not depend on how many columns of the grid lie beside the contact: here one on
+/// the side that it is shifted to.
+TEST(Power, IsThatOfTheContactWhateverLiesBesideIt) {
+  const auto power = [](double shift) {
+    ContactProblem problem = ellipse(1e-3, 2e-3, 20, shift, 0);
+    scenes::set_creepage(problem, 0.3, 4e-4, -3e-4, 0);
+    const ContactResult result = solve(problem);
+    EXPECT_TRUE(result.certified() && !result.trust.touches_border) << shift;
+    return result.totals.T_gamma.value;
+  };
+  for (const double shift : {-2.0, 2.0})
+    EXPECT_NEAR(power(shift) / power(0), 1, 1e-5) << shift;
+}
+
 /// Too few elements: nothing is estimated, and the result says why and what to do.
 TEST(ErrorEstimates, SayWhyThereAreNone) {
   const ContactResult coarse = solve(ellipse(1e-3, 1e-3, 10, 0, 0));
@@ -371,7 +385,8 @@ TEST(ErrorEstimates, HoldForTemperaturesWithALayer) {
     for (const double xi : {5e-4, 1e-3, 3e-3})
       for (const double shift : {0.0, 0.1, 0.2, 0.3, 0.4}) {
         const auto solved = [&](int across) {
-          ContactProblem problem = ellipse(1e-3, 1.6e-3, across, shift, -shift);
+          const double moved = shift * across / 20; // elements: at the same place, about which it spins
+          ContactProblem problem = ellipse(1e-3, 1.6e-3, across, moved, -moved);
           scenes::set_creepage(problem, 0.3, xi, 0.3 * xi, 2e-4);
           add_layer({{compliance}, 0}, problem.numbers);
           problem.speed = 3e4;

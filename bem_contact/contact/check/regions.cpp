@@ -61,7 +61,6 @@ void add_moment_and_work(const ContactProblem& problem, const ContactResult& res
   moment.reserve(elements.size());
   driving.reserve(elements.size());
   const bool steady = problem.motion == MotionKind::steady;
-  double pressed = 0;
   for (std::size_t k = 0; k < elements.size(); ++k) {
     const int i = elements[k];
     const double lever_x = problem.grid.x(i % problem.grid.mx) - out.x;
@@ -74,10 +73,10 @@ void add_moment_and_work(const ContactProblem& problem, const ContactResult& res
     out.T_gamma_in_slip += slipping[i] * dS;
     const double sheared = steady ? shear_drive(problem, result, i, share[i / problem.grid.mx]) : rate[i];
     driving.push_back({sheared * dS, shear.x[k].fn, shear.x[k].adheres});
-    pressed += steady ? pressure_drive(problem, result, i) * dS : 0.0;
   }
   out.driving_power = sum_of(driving);
-  out.driving_power.total += pressed; // of large parts, which cancel: none of them counts for its error
+  if (steady && problem.has_friction()) // of large parts, which cancel: none of them counts for its error
+    out.driving_power.total += pressure_drive(problem, result, elements) * dS;
   out.moment = sum_of(moment);
 }
 

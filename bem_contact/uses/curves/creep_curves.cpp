@@ -1,6 +1,7 @@
 #include "bem_contact/uses/curves/creep_curves.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/plan/hertz_model.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
@@ -171,11 +172,30 @@ void add_difference_points(std::vector<Creepages>& points, const Creepages& at, 
       }
 }
 
-/// `order`: of the leading error in the step, which two steps take out. 2 where forces are smooth. At zero
-/// creepage slip begins at both sides of zero, and the error has order 1.
-/// `contact`: elements in contact.
-CreepDerivatives derivatives(std::span<const CreepPoint> points, const Creepages& steps, int order,
-                             int contact) {
+/// The points of add_difference_points() with whole steps, on elements twice as large. Their own grids:
+/// joined elements of the others differ from point to point, where a contact moves by a row. None where the
+/// scene counts its elements, or where there is no solution on larger ones.
+std::vector<CreepPoint> on_larger_elements(const SceneFile& scene, HeldContact held,
+                                           std::span<const Creepages> points, const CreepSolver& solve) {
+  if (scene.kind != SceneKind::wheel_rail || scene.grid.mx || scene.grid.ms || is_closed_form(held.model))
+    return {};
+  held.dx *= 2;
+  held.ds *= 2;
+  std::vector<Creepages> whole;
+  for (std::size_t i = 0; i < points.size(); i += 2 * std::size(step_shares))
+    whole.insert(whole.end(), {points[i], points[i + 1]});
+  try {
+    return solve(held, whole);
+  } catch (const ConvergenceError&) {
+    return {};
+  }
+}
+
+/// `larger`: as on_larger_elements() returns them. `order`: of the leading error in the step, which two steps
+/// take out. 2 where forces are smooth. At zero creepage slip begins at both sides of zero, and the error has
+/// order 1. `contact`: elements in contact.
+CreepDerivatives derivatives(std::span<const CreepPoint> points, std::span<const CreepPoint> larger,
+                             const Creepages& steps, int order, int contact) {
   CreepDerivatives out;
   const double local = border_share / std::sqrt(double(contact));
   const double gain = std::pow(2, order) - 1;
@@ -187,9 +207,12 @@ CreepDerivatives derivatives(std::span<const CreepPoint> points, const Creepages
     };
     for (std::size_t i = 0; i < out.values.size(); ++i) {
       const double whole = slope(0, i, &CreepPoint::forces), half = slope(1, i, &CreepPoint::forces);
+      const double coarse = larger.empty()
+                                ? slope(0, i, &CreepPoint::coarse)
+                                : (larger[2 * k].forces[i] - larger[2 * k + 1].forces[i]) / (2 * steps[k]);
       out.values[i][k] = half + (half - whole) / gain;
-      out.errors[i][k] = std::abs(half - whole) + std::abs(whole - slope(0, i, &CreepPoint::coarse)) +
-                         local * std::abs(out.values[i][k]);
+      out.errors[i][k] =
+          std::abs(half - whole) + std::abs(whole - coarse) + local * std::abs(out.values[i][k]);
     }
   }
   return out;
@@ -266,21 +289,29 @@ CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ran
       points.back()[index(range.which)] = value;
     }
   }
-  const std::vector<CreepPoint> solved =
-      solve ? solve(held, points) : points_by(sequence, scene, held, points, stop);
-  std::span<const CreepPoint> rest = solved;
-  const auto next = [&](std::size_t count) {
-    const auto some = rest.first(count);
-    rest = rest.subspan(count);
+  const CreepSolver here = [&](const HeldContact& contact, std::span<const Creepages> some) {
+    return points_by(sequence, scene, contact, some, stop);
+  };
+  const std::vector<CreepPoint> solved = (solve ? solve : here)(held, points),
+                                larger = on_larger_elements(
+                                    scene, held, std::span(points).first(2 * points_of_derivatives),
+                                    solve ? solve : here);
+  std::span<const CreepPoint> rest = solved, rest_of_larger = larger;
+  const auto next = [](std::span<const CreepPoint>& of, std::size_t count) {
+    const auto some = of.first(std::min(count, of.size()));
+    of = of.subspan(some.size());
     return some;
   };
-  const int contact = count_elements(out.solution.result).contact;
-  out.sensitivities = derivatives(next(points_of_derivatives), part(sensitivity_step), 2, contact);
-  out.slopes = derivatives(next(points_of_derivatives), part(slope_step), 1, contact);
+  const auto next_derivatives = [&](double step, int order) {
+    return derivatives(next(rest, points_of_derivatives), next(rest_of_larger, 2 * std::size(kinds)),
+                       part(step), order, count_elements(out.solution.result).contact);
+  };
+  out.sensitivities = next_derivatives(sensitivity_step, 2);
+  out.slopes = next_derivatives(slope_step, 1);
   for (CreepCurve& curve : out.curves)
     for (CreepPoint& point : curve.points) {
       const double creepage = point.creepage;
-      point = next(1).front();
+      point = next(rest, 1).front();
       point.creepage = creepage;
     }
   out.linearised = linearised_sensitivities(scene_at(held_scene(scene, held), held.offset, asked),

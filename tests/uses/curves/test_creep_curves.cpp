@@ -220,6 +220,33 @@ TEST(CreepCurves, SlopesOfAWheelOnARailDoNotDependOnItsCreepages) {
   EXPECT_LT(off(a), 0.25);
 }
 
+constexpr const char* a_flange =
+    "rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nload.force = 87130.3586888962\n"
+    "solver.model = \"halfspace\"\nmotion.free_rolling = false\nmotion.friction = 0.4\n"
+    "[position]\nrail_inclination = 0.025\nlateral = 6.604187943447943\nyaw = 0.003\n";
+constexpr const char* a_tread =
+    "rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nload.force = 8e4\nmotion.free_rolling = false\n"
+    "solver.model = \"halfspace\"\nposition.rail_inclination = 0.025\nposition.lateral = -2.5\n";
+
+/// Grids differ by a row from point to point at a flange root. The stated errors of slopes are useful, and
+/// cover what elements of half the size change.
+TEST(CreepCurves, ErrorsOfSlopesCoverSmallerElements) {
+  for (const char* scene : {a_flange, a_tread}) {
+    const CreepCurves c = curves(parse_scene_file(scene), {});
+    SceneFile smaller = parse_scene_file(scene);
+    const ContactGrid& grid = c.solution.problem.grid;
+    smaller = with_elements(smaller, 0.5 * grid.dx, 0.5 * grid.ds);
+    const CreepCurves fine = curves(smaller, {});
+    for (const auto& [f, k] : {std::pair(Fx, xi), {Fs, eta}, {Fs, phi}, {Mz, eta}, {Mz, phi}}) {
+      const double stated = c.slopes.errors[f][k], value = c.slopes.values[f][k];
+      fmt::print("{}{}: {:.5g} +- {:.2g}, on smaller elements {:.5g} +- {:.2g}\n", f, k, value, stated,
+                 fine.slopes.values[f][k], fine.slopes.errors[f][k]);
+      EXPECT_LE(std::abs(fine.slopes.values[f][k] - value), stated) << f << k;
+      EXPECT_LT(stated, 0.15 * std::abs(value)) << f << k;
+    }
+  }
+}
+
 TEST(CreepCurves, RefusesScenesWithoutCreepages) {
   const auto refused = [](const std::string& more, const char* word, std::vector<CreepRange> ranges = {}) {
     try {
