@@ -53,6 +53,7 @@ Command add_sweep(CLI::App& program);        ///< a scene for lists or ranges of
 Command add_replay(CLI::App& program);       ///< each step of a vehicle program's run
 Command add_conicity(CLI::App& program);     ///< how a rigid wheelset steers itself
 Command add_creep_curves(CLI::App& program); ///< forces over creepages
+Command add_fit(CLI::App& program);          ///< keys of a scene, by measured forces
 Command add_table(CLI::App& program);        ///< tables of forces, and values of such a table
 Command add_wear(CLI::App& program);         ///< profiles wear under a load collective
 Command add_fatigue(CLI::App& program);      ///< shakedown, damage and stresses of each case of a sweep
@@ -66,9 +67,9 @@ Command add_plot(CLI::App& program);         ///< a picture of a file; Python dr
 
 /// Lists the commands in the order of the program's help.
 inline constexpr Command (*all_commands[])(CLI::App& program) = {
-    add_new,          add_from_contact, add_solve,   add_compare, add_check,    add_schema,
-    add_info,         add_influence,    add_profile, add_sweep,   add_replay,   add_conicity,
-    add_creep_curves, add_table,        add_wear,    add_fatigue, add_stresses, add_shakedown,
-    add_wheelset,     add_study,        add_report,  add_explore, add_plot};
+    add_new,          add_from_contact, add_solve,   add_compare, add_check,   add_schema,
+    add_info,         add_influence,    add_profile, add_sweep,   add_replay,  add_conicity,
+    add_creep_curves, add_fit,          add_table,   add_wear,    add_fatigue, add_stresses,
+    add_shakedown,    add_wheelset,     add_study,   add_report,  add_explore, add_plot};
 
 } // namespace bem_contact::app

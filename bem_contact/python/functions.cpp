@@ -12,6 +12,8 @@
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/uses/curves/creep_record.hpp"
 #include "bem_contact/uses/curves/measured_forces.hpp"
+#include "bem_contact/uses/fit/fit_curve.hpp"
+#include "bem_contact/uses/fit/fit_record.hpp"
 #include "bem_contact/uses/sweep/sweep_case.hpp"
 #include "bem_contact/uses/wheelset/quantities.hpp"
 
@@ -127,6 +129,27 @@ CreepSolver points_shared_by(const py::object& executor, const SceneText& scene,
   };
 }
 
+/// A CSV file, or a dict of columns.
+MeasuredForces measured_of(const py::object& given) {
+  if (!py::isinstance<py::dict>(given))
+    return read_measured_forces(path_of(given));
+  std::vector<std::string> columns;
+  std::vector<std::vector<double>> rows;
+  for (const auto& [name, values] : py::reinterpret_borrow<py::dict>(given)) {
+    columns.push_back(text_of(py::reinterpret_borrow<py::object>(name), "a column"));
+    const std::vector<double> numbers =
+        numbers_in(py::reinterpret_borrow<py::object>(values), columns.back());
+    rows.resize(columns.size() == 1 ? numbers.size() : rows.size());
+    if (numbers.size() != rows.size())
+      throw InputError("The measured forces cannot be used",
+                       columns.back() + " has another length than " + columns.front(),
+                       "Give one number of each for every point.");
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      rows[i].push_back(numbers[i]);
+  }
+  return measured_forces("measured", columns, rows);
+}
+
 py::dict curves(const py::object& scene, const py::object& changes, const py::object& model,
                 const py::object& xi, const py::object& eta, const py::object& phi, const py::object& folder,
                 const py::object& executor, const py::object& measured) {
@@ -140,7 +163,7 @@ py::dict curves(const py::object& scene, const py::object& changes, const py::ob
     ranges = {{CreepKind::xi, {}}, {CreepKind::eta, {}}, {CreepKind::phi, {}}};
   std::optional<MeasuredForces> beside;
   if (!measured.is_none())
-    beside = read_measured_forces(path_of(measured));
+    beside = measured_of(measured);
   const auto solve = [=](const std::atomic<bool>* stop, const CreepSolver& solver) {
     if (!beside)
       return record_of(creep_curves(file, ranges, stop, solver));
@@ -151,6 +174,30 @@ py::dict curves(const py::object& scene, const py::object& changes, const py::ob
   if (!executor.is_none())
     return as_dict(solve(nullptr, points_shared_by(executor, text, changes)));
   return as_dict(stoppable([=](const std::atomic<bool>* stop) { return solve(stop, nullptr); }));
+}
+
+/// One text with commas between, or several.
+std::vector<std::string> keys_of(const py::object& given) {
+  if (py::isinstance<py::str>(given))
+    return fit::keys_in(text_of(given, "a key"));
+  if (!py::isinstance<py::iterable>(given))
+    refuse_type("The parameters cannot be used", std::string(py::str(py::type::of(given))) + " is no list",
+                "Give a list of keys, as [\"layer.compliance\"].");
+  std::vector<std::string> keys;
+  for (const py::handle key : given)
+    keys.push_back(text_of(py::reinterpret_borrow<py::object>(key), "a key"));
+  return keys;
+}
+
+py::dict fit_forces(const py::object& scene, const py::object& measured, const py::object& parameters,
+                    const py::object& changes, const py::object& model, const py::object& folder) {
+  const fit::Question question{.text = scene_of(scene, folder),
+                               .changes = changes_of(changes),
+                               .model = model_of(model),
+                               .measured = measured_of(measured),
+                               .keys = keys_of(parameters)};
+  return as_dict(stoppable(
+      [question](const std::atomic<bool>* stop) { return record_of(fit::fit_curve(question, stop)); }));
 }
 
 py::dict wheelset(const py::object& scene, const py::object& changes, const py::object& model,
@@ -193,11 +240,22 @@ void add_functions(py::module_& module) {
       "[Fx, Fs, Mz][xi, eta, phi]: \"slopes\" without creepage, \"kalker\" (linear theory for the nearest "
       "ellipse, or None), \"sensitivities\" at the scene's creepages, by differences, and \"linearised\", "
       "by one linear system with the pressure held (or None); \"forces\" there. N, mm. `measured`: a CSV "
-      "file of "
+      "file or a dict of "
       "measured forces (columns xi,Fx or xi,Fx,scatter); \"measured\" then has them beside the computed "
       "ones. `executor`: any of "
       "concurrent.futures, or with its methods, shares the points in chunks that start cold: the forces are "
       "the same within the certificate, and do not depend on how many share them.");
+  module.def(
+      "fit", fit_forces, "scene"_a, "measured"_a, "parameters"_a, "changes"_a = py::none(),
+      "model"_a = py::none(), py::kw_only(), "folder"_a = py::none(),
+      "Keys of a scene by measured forces, by least squares. `scene`, `changes`, `model`: as solve() takes "
+      "them; their values are the first guess. `measured`: a CSV file, or a dict of columns: a creepage (xi, "
+      "eta, phi), a force (Fx, Fs, Mz), and the scatter of the force where it is known. `parameters`: keys, "
+      "as [\"layer.compliance\", \"motion.friction\"]. A dict: \"parameters\" ({key: {\"value\", \"low\", "
+      "\"high\", \"standard_error\", ...}}, intervals of 95 % by a bootstrap of the points), "
+      "\"correlation\", "
+      "\"not_determined\" (what the points do not say), \"band\", \"measured\", and what creep_curves() "
+      "gives at the found values. N, mm.");
   module.def("_creep_part", &solve_creep_part, "scene"_a, "changes"_a, "held"_a, "points"_a);
   module.def(
       "wheelset", wheelset, "scene"_a, "changes"_a = py::none(), "model"_a = py::none(), py::kw_only(),

@@ -11,7 +11,7 @@ void add_check_and_sweep(pybind11::module_& module);
 void add_profile(pybind11::module_& module);
 /// `conicity` of a wheelset, and of many (a map).
 void add_conicity(pybind11::module_& module);
-/// compare, creep_curves, wheelset.
+/// compare, creep_curves, fit, wheelset.
 void add_functions(pybind11::module_& module);
 /// `shakedown` of a Result.
 void add_shakedown(pybind11::module_& module);

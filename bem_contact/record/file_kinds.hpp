@@ -16,6 +16,7 @@ inline constexpr const char* wheelset_format = "bem_contact wheelset 3";
 inline constexpr const char* conicity_format = "bem_contact conicity 2";
 inline constexpr const char* conicity_map_format = "bem_contact conicity map 1";
 inline constexpr const char* creep_curves_format = "bem_contact creep curves 2";
+inline constexpr const char* fit_format = "bem_contact fit 1";
 inline constexpr const char* fatigue_format = "bem_contact fatigue 2";
 inline constexpr const char* stresses_format = "bem_contact stresses 1";
 inline constexpr const char* shakedown_format = "bem_contact shakedown 1";
@@ -44,6 +45,7 @@ inline constexpr FileKind file_kinds[] = {
     {conicity_map_format, "Conicities of many wheelsets", "conicity map", "the conicities of many wheelsets",
      "conicity"},
     {creep_curves_format, "Creep curves", "creep curves", "creep curves", "creep-curves"},
+    {fit_format, "Keys of a scene, fitted to measured forces", "fit", "a fit to measured forces", "fit"},
     {fatigue_format, "Fatigue of each patch of a load collective", "fatigue",
      "the fatigue of a load collective", "fatigue"},
     {stresses_format, "Stresses inside a body while a contact passes", "stresses",

@@ -45,6 +45,7 @@ Found of_comparison(const Record&);
 Found of_wheelset(const Record&);
 Found of_sweep(const Record&);
 Found of_creep_curves(const Record&);
+Found of_fit(const Record&);
 Found of_conicity(const Record&);
 Found of_conicity_map(const Record&);
 Found of_table(const Record&);

@@ -1,4 +1,4 @@
-// Figures over many contacts: sweeps and creep curves.
+// Figures over many contacts: sweeps, creep curves and fits.
 const FORCES = {
   Fx: {colour: ALONG_X, dash: "solid", mark: "circle"},
   Fs: {colour: ALONG_S, dash: "dash", mark: "square"},
@@ -42,6 +42,13 @@ const creepFigure = (data, which) => {
   traces.push({...lineOver(x, curve.Mz.values, "Mz, N mm (right)", FORCES.Mz, curve.Mz_error.values), yaxis: "y2"});
   if (data.measured?.attributes.creepage === which) {
     const {points, attributes: {force}} = data.measured;
+    if (data.band) // of a fit
+      traces.unshift(...["low", "high"].map(end => ({
+        type: "scatter", mode: "lines", x: data.band.creepage.values, y: data.band[end].values,
+        yaxis: force === "Mz" ? "y2" : "y", line: {width: 0}, showlegend: end === "high",
+        name: `95 % of what the points allow of ${force}`, hoverinfo: "skip",
+        ...(end === "high" ? {fill: "tonexty", fillcolor: `${FORCES[force].colour}33`} : {})
+      })));
     traces.push({
       type: "scatter",
       mode: "markers",

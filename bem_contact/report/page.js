@@ -10,6 +10,7 @@ const ANSWERS = {
   wheelset: WHEELSET,
   sweep: SWEEP,
   "creep curves": CREEP_CURVES,
+  fit: FIT,
   conicity: CONICITY,
   "conicity map": CONICITY_MAP,
   wear: WEAR,
@@ -27,6 +28,7 @@ const TITLE_OF = {
   comparison: "Comparison of models",
   sweep: "Sweep",
   "creep curves": "Creep curves",
+  fit: "Fit to measured forces",
   conicity: "Conicity",
   wheelset: "Wheelset",
   wear: "Wear",
@@ -154,6 +156,17 @@ const addStudyTables = () => {
                    ...(drawn ? [spread(inputs.values[k])] : []), units[k] === "1" ? "" : unitText(units[k]),
                    meanings[k]]),
       {numbers: drawn ? [2, 3] : [2], id: "headline", wide: true});
+  const states = data.states ? linesOf(data.states) : [];
+  if (states.length)
+    addTable(
+        "The same for other states of the surfaces (layer.state)", ["part", "number", "as given", ...states, "unit"],
+        linesOf(data.headline_parts)
+            .slice(0, value.values.length)
+            .map((part, k) => [part, names[k], number(value.values[k], elements.values[k]),
+                               ...states.map((_, i) => number(data.headline_states.values[k * states.length + i],
+                                                              elements.values[k])),
+                               units[k] === "1" ? "" : unitText(units[k])]),
+        {numbers: [2, ...states.map((_, i) => 3 + i)], id: "states", wide: true});
   addTable(
       "Parts", ["part", "", "s", "what went wrong"],
       partsOf(data).map(

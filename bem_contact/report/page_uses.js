@@ -164,6 +164,28 @@ const CREEP_CURVES = {
     matrix("sensitivities", "Sensitivities at the scene's creepages");
   }};
 
+/// The keys that were fitted, with their intervals, and how they hang together.
+const FIT = {
+  ...CREEP_CURVES,
+  tables: () => {
+    const names = namesIn(data.parameters);
+    const numberOf = (name, entry) => number(valueOf(data.parameters[name], entry));
+    add("h2", "What was fitted");
+    addTable(
+        "Keys of the scene, with intervals of 95 %", ["key", "first guess", "found", "from", "to", "unit"],
+        names.map(name => [name, ...["start", "value", "low", "high"].map(entry => numberOf(name, entry)),
+                           unitText(data.parameters[name].value.unit)]),
+        {numbers: [1, 2, 3, 4], id: "parameters"});
+    if (names.length > 1)
+      addTable("Correlation of what was found", ["", ...names],
+               names.map((name, row) => [name, ...names.map((_, k) =>
+                 data.correlation.values[names.length * row + k].toFixed(3))]),
+               {numbers: names.map((_, k) => k + 1), id: "correlation"});
+    for (const text of linesOf(data.not_determined ?? {text: ""}).filter(text => text))
+      add("p", sentenceText(text));
+    CREEP_CURVES.tables();
+  }};
+
 /// Of rail and wheel, if their profiles lie beside the file; else how deep both are by and by.
 const wearFigures = () => {
   const out = [];

@@ -35,10 +35,11 @@ std::string page_of(const Record& file, const std::filesystem::path& path) {
     return kind->page;
   if (record::has(file, "stations") && (record::has(file, "kernel") || record::has(file, "table")))
     return "influence file";
-  throw InputError(fmt::format("'{}' cannot be reported", path.string()),
-                   "it is HDF5, but no file of answers of bem_contact and no influence file",
-                   "Name a file that solve, compare, sweep, creep-curves, conicity, wheelset, table, wear, "
-                   "fatigue, stresses, shakedown or study of bem_contact wrote, or an influence file.");
+  throw InputError(
+      fmt::format("'{}' cannot be reported", path.string()),
+      "it is HDF5, but no file of answers of bem_contact and no influence file",
+      "Name a file that solve, compare, sweep, creep-curves, fit, conicity, wheelset, table, wear, "
+      "fatigue, stresses, shakedown or study of bem_contact wrote, or an influence file.");
 }
 
 /// What no figure draws.

@@ -98,7 +98,7 @@ const sceneInWords = () => {
     out.push(
         `${data.status.values.length} cases: ${swept.map(words).join(", ")} ${swept.length > 1 ? "vary" : "varies"}. ` +
         countsText(outcome => valueOf(data, `${outcome.replace(" ", "_")}_count`) ?? 0) + ".");
-  if (report.kind === "creep curves")
+  if (["creep curves", "fit"].includes(report.kind))
     out.push(`The scene ${data.attributes.scene.split("/").pop()}, model ${data.attributes.model}: vertical force ` +
              `${number(valueOf(data, "Fz"))} N, friction bound μ Fn = ${number(valueOf(data, "bound"))} N.`);
   if (report.kind === "wear")

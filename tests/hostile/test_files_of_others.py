@@ -76,6 +76,7 @@ READS = {
     "replay": ("run.csv", ["replay", "run.csv", "replay.toml", "--jobs", "1"]),
     "conicity": ("profile.whl", ["conicity", "--wheel", "profile.whl", "--rail", "60E1"]),
     "creep-curves": ("scene.toml", ["creep-curves", "scene.toml", "--xi=0:1e-3:2"]),
+    "fit": ("points.csv", ["fit", "scene.toml", "--measured", "points.csv", "--parameters", "motion.friction"]),
     "table": ("table.toml", ["table", "table.toml"]),
     "wear": ("scene.toml", ["wear", "scene.toml"]),
     "fatigue": ("sweep.toml", ["fatigue", "sweep.toml"]),
@@ -106,6 +107,7 @@ class EveryCommand(InFolder):
     def put_inputs(self):
         self.file("scene.toml", SCENE)
         self.file("sweep.toml", SWEEP)
+        self.file("points.csv", "xi,Fx\n1e-3,2e3\n2e-3,2.5e3\n4e-3,2.8e3\n")
         self.file("table.toml", SCENE + "[table]\nposition.lateral = { from = 0, to = 1, count = 2 }\n")
         self.file("replay.toml", SCENE + "[replay.columns]\nposition.lateral = \"y\"\n")
         self.file("run.csv", "y\n0\n1\n")

@@ -101,7 +101,7 @@ class Report(unittest.TestCase):
         cls.files = {kind: cls.folder / f"{kind}.h5" for kind in ("result", "stresses", "cylinder", "comparison", "curves", "sweep", "cases",
                                                                    "conicity", "wheelset")}
         cls.files["wear"] = cls.folder / "worn" / "wear.h5"
-        cls.files |= {kind: cls.folder / f"{kind}.h5" for kind in ("fatigue", "inside", "shakedown", "collective", "rates", "table", "map", "axle_rates")}
+        cls.files |= {kind: cls.folder / f"{kind}.h5" for kind in ("fatigue", "inside", "shakedown", "collective", "rates", "table", "map", "axle_rates", "fit")}
         cls.files["study"] = cls.folder / "study" / "study.h5"
         cls.files["influence"] = ROOT / "data" / "influence" / "small_rail.h5"
         (cls.folder / "points.csv").write_text("xi,Fx,scatter\n1e-3,500,40\n2e-3,700,50\n3e-3,900,60\n")
@@ -113,6 +113,7 @@ class Report(unittest.TestCase):
                         ("solve", patch, "-o", cls.files["stresses"]),
                         ("solve", SCENES / "cattaneo_to_carter.toml", "-o", cls.files["cylinder"]),
                         ("creep-curves", patch, "--xi=0:4e-3:5", "--phi=0:1e-3:3", "--measured", cls.folder / "points.csv", "-o", cls.files["curves"]),
+                        ("fit", patch, "--measured", cls.folder / "points.csv", "--parameters", "motion.friction", "-o", cls.files["fit"]),
                         ("sweep", SCENES / "cases_two_areas.toml", "-o", cls.files["sweep"]),
                         ("sweep", cls.folder / "wear.toml", "-o", cls.files["cases"]),
                         ("conicity", SCENES / "wheelset.toml", "-o", cls.files["conicity"]),
@@ -358,6 +359,7 @@ class Report(unittest.TestCase):
                   "comparison": ["pressures", "quantities-at_equal_forces", "creep-forces", *(f"{c}-{m}" for c in contact
                                                                           for m in ("halfspace", "tangent_plane", "fem"))],
                   "curves": ["slopes", "kalker", "sensitivities", "curve-xi", "curve-phi", "measured"],
+                  "fit": ["parameters", "slopes", "curve-xi", "measured"],
                   "sweep": ["patches-over-y", "over-pmax", "over-Fx-Fy", "cases"],
                   "cases": ["patches-over-y", "over-pmax", "over-T_gamma", "cases"],
                   "conicity": ["conicities", "tan-gamma", "radius-difference", "touch-wheel", "touch-rail"],

@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 set(cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/conformal_contact)
 
 # The headers of a C++ caller: what Sequence takes and returns, what the rooms above it answer, and all that these include.
-set(answers uses/conicity/wheelset_conicity uses/curves/creep_curves uses/table/creep_table uses/table/scene_table
+set(answers uses/conicity/wheelset_conicity uses/curves/creep_curves uses/fit/fit_curve uses/table/creep_table uses/table/scene_table
             uses/table/table_file uses/wear/wear_of_result uses/wear/evolution uses/fatigue/fatigue_of_result uses/shakedown/shakedown_of_result
             uses/wheelset/solve_wheelset
             uses/wheelset/quantities uses/sweep/sweep_case uses/sweep/sweep_columns)

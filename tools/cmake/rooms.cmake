@@ -3,7 +3,7 @@
 
 # What is installed for C++ callers, from the bottom to the top.
 set(conformal_library_rooms base h5 record profile influence halfspace inside reference contact geometry scene sequence uses_conicity uses_curves
-    uses_table uses_wear uses_fatigue uses_shakedown uses_wheelset uses_sweep c)
+    uses_fit uses_table uses_wear uses_fatigue uses_shakedown uses_wheelset uses_sweep c)
 list(TRANSFORM conformal_library_rooms PREPEND bem_contact_)
 
 # Of every shared library: what callers rely on may change with the minor version.

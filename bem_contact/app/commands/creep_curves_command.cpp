@@ -127,19 +127,6 @@ std::string curves_text(const CreepCurves& c) {
   return out;
 }
 
-std::string measured_text(const MeasuredForces& m, const std::string& file) {
-  const auto force = static_cast<std::size_t>(m.force);
-  std::string out = fmt::format("{} as measured ({}) and as computed\n  {:>12} {:>11}{} {:>11} {:>11}\n",
-                                name_of(m.force), file, name_of(m.which), "measured",
-                                m.scatter.empty() ? "" : "     scatter", "computed", "difference");
-  for (std::size_t i = 0; i < m.computed.size(); ++i)
-    out += fmt::format("  {:12.5g} {:11.5g}{} {:11.5g} {:11.4g}{}\n", m.creepage[i], m.measured[i],
-                       m.scatter.empty() ? "" : fmt::format(" {:11.4g}", m.scatter[i]),
-                       m.computed[i].forces[force].value, m.computed[i].forces[force] - m.measured[i],
-                       m.computed[i].certified ? "" : "  NOT certified");
-  return out;
-}
-
 /// What is asked for, at every door.
 struct Answer {
   CreepCurves curves;
@@ -227,6 +214,19 @@ ExitCode run(const CreepArguments& arguments) {
 }
 
 } // namespace
+
+std::string measured_text(const MeasuredForces& m, const std::string& file) {
+  const auto force = static_cast<std::size_t>(m.force);
+  std::string out = fmt::format("{} as measured ({}) and as computed\n  {:>12} {:>11}{} {:>11} {:>11}\n",
+                                name_of(m.force), file, name_of(m.which), "measured",
+                                m.scatter.empty() ? "" : "     scatter", "computed", "difference");
+  for (std::size_t i = 0; i < m.computed.size(); ++i)
+    out += fmt::format("  {:12.5g} {:11.5g}{} {:11.5g} {:11.4g}{}\n", m.creepage[i], m.measured[i],
+                       m.scatter.empty() ? "" : fmt::format(" {:11.4g}", m.scatter[i]),
+                       m.computed[i].forces[force].value, m.computed[i].forces[force] - m.measured[i],
+                       m.computed[i].certified ? "" : "  NOT certified");
+  return out;
+}
 
 CreepRange creep_range(CreepKind kind, const std::string& text) {
   if (text == "auto")

@@ -2,6 +2,7 @@
 
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/uses/curves/creep_curves.hpp"
+#include "bem_contact/uses/curves/measured_forces.hpp"
 
 #include <string>
 
@@ -12,5 +13,8 @@ Command add_creep_curves(CLI::App& program);
 
 /// "FROM:TO:COUNT", equal steps, or "auto": chosen. Throws InputError for any other text.
 CreepRange creep_range(CreepKind kind, const std::string& text);
+
+/// Measured forces beside computed ones, a line a point. `file`: that they were read from.
+std::string measured_text(const MeasuredForces& measured, const std::string& file);
 
 } // namespace bem_contact::app

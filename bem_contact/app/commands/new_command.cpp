@@ -150,6 +150,9 @@ force = {force:g}             # N on the axle, normal to the track: both wheels 
 [motion]
 friction = {friction:g}
 {speed}
+# [layer]                   # what lies on the rail. Creep forces grow with 0.9 to 1 of Kalker's slope on clean rigs, and grew
+# state = "locomotive"      # with 0.26 of it on a locomotive in service. Or clean, rig, oxide, sand, clay, MoS2
+
 [grid]
 accuracy = 0.02             # dx and ds for an estimated error of 2 % by the size of the elements
 
@@ -177,6 +180,7 @@ xi = "-0.01:0.01:5"         # FROM:TO:COUNT; eta, phi and auto as well
 # friction = 0.03           # standard deviation
 # load = {scatter:g}          # N
 # draws = 10
+# states = "clean, rig"     # the same numbers for other states of the surfaces (layer.state)
 )";
 
 /// The lists of a sweep, over what is not found.

@@ -23,6 +23,7 @@ result       solve -o         patch with adhesion, slip and traction; a cut with
 comparison   compare -o       a patch for each model on one scale, section, pressures and their differences, numbers
 sweep        sweep -o         patches over y; pressure, area, forces, T-gamma over the key that varies
 creep curves creep-curves -o  forces over creepages, the bound of friction, Kalker's slopes
+fit          fit -o           measured forces, the curve that was fitted to them, and its band
 conicity     conicity -o      rolling radius difference, contact points, equivalent conicity
 wheelset     wheelset -o      both wheels
 table        table -o         interpolation errors beside the tolerance; forces over the axes

@@ -19,7 +19,7 @@ namespace bem_contact::app {
 namespace {
 
 constexpr const char* report_help =
-    R"(Takes what solve, compare, sweep, creep-curves, conicity, wheelset, table, fatigue, shakedown and wear wrote with -o, the wear.h5 of a wear study,
+    R"(Takes what solve, compare, sweep, creep-curves, fit, conicity, wheelset, table, fatigue, shakedown and wear wrote with -o, the wear.h5 of a wear study,
 the study.h5 of study, influence files, and meshes of mesh_body. Example:
     bem_contact solve data/scenes/conformal_small.toml -o corner.h5
     bem_contact report corner.h5 -o corner.html
@@ -37,7 +37,7 @@ void require_shown(const std::filesystem::path& file) {
   else if (is_regular(file) && !is_hdf5(file) && file.extension() != report::mesh_ending)
     throw InputError(
         fmt::format("'{}' cannot be shown as a page", file.string()),
-        "it is no HDF5 file; report takes what solve, compare, sweep, creep-curves, conicity, wheelset, "
+        "it is no HDF5 file; report takes what solve, compare, sweep, creep-curves, fit, conicity, wheelset, "
         "table, fatigue, shakedown, wear and study wrote, influence files and meshes",
         "Give one of these. Mesh a body file first (mesh_body BODY.toml -o BODY.msh); open a CSV file in a "
         "spreadsheet, or draw it with bem_contact plot.");

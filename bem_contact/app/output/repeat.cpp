@@ -230,9 +230,10 @@ std::string stored_scene(const fs::path& file, bool with_defaults) {
   const record::Record top = record::read_hdf5_top(file);
   const auto text = record::text_at(top, with_defaults ? "scene_with_defaults" : "scene_text");
   if (!text)
-    throw InputError(fmt::format("'{}' holds no scene", file.string()),
-                     "it is no file of this version that says what was solved",
-                     "Name a file that solve, compare, sweep, creep-curves, conicity or wheelset wrote.");
+    throw InputError(
+        fmt::format("'{}' holds no scene", file.string()),
+        "it is no file of this version that says what was solved",
+        "Name a file that solve, compare, sweep, creep-curves, fit, conicity or wheelset wrote.");
   return std::string(*text);
 }
 

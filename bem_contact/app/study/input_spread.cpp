@@ -6,6 +6,7 @@
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/profile/noisy_profile.hpp"
 #include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/scene/surface_states.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/uses/wear/worn_profile.hpp"
 
@@ -73,11 +74,20 @@ std::vector<SceneChange> changes_of_draw(const StudyCase& study, const SceneFile
   return out;
 }
 
-std::vector<std::string> drawn_parts(const StudyCase& study) {
+/// "clean, rig" as names.
+std::vector<std::string> names_in(const std::string& list) {
   std::vector<std::string> out;
-  std::istringstream names(study.uncertainty.parts);
+  std::istringstream names(list);
   for (std::string name; std::getline(names >> std::ws, name, ',');) {
     name.erase(name.find_last_not_of(" \t") + 1);
+    out.push_back(name);
+  }
+  return out;
+}
+
+std::vector<std::string> drawn_parts(const StudyCase& study) {
+  std::vector<std::string> out;
+  for (const std::string& name : names_in(study.uncertainty.parts)) {
     const Part* part = part_named(name);
     if (!part || !part->asked(study)) {
       std::vector<std::string> known;
@@ -92,6 +102,22 @@ std::vector<std::string> drawn_parts(const StudyCase& study) {
       out.emplace_back("wheelset"); // which puts the wheel in its place
   }
   return out;
+}
+
+FolderUse use_of_draw(const StudyFolder& where) {
+  return {.maker = study_maker, .list = "draw", .inputs = where.inputs};
+}
+
+/// The study with other inputs, as one of its own in `made`.
+std::vector<PartResult> solve_changed(const StudyCase& study, const StudyFolder& where, OutputFolder& made,
+                                      const std::vector<SceneChange>& changes, std::set<std::string>& said) {
+  const std::filesystem::path file = made.path() / "scene.toml";
+  const StudyFolder changed{file, made.path(), where.jobs, drawn_parts(study), where.program, where.inputs};
+  make_study_folder(changed);
+  const std::string_view dropped[] = {"uncertainty", "influence"};
+  const std::string text = changed_text(study.text, changes, dropped);
+  made.write("scene.toml", [&](std::ostream& to) { to << text; });
+  return run_parts(study_case(read_scene_text(file)), changed, said, [](const auto&) {});
 }
 
 /// The numbers of the headline in one draw: nan where it has none.
@@ -130,32 +156,76 @@ std::vector<std::vector<PartResult>> solve_draws(const StudyCase& study, const S
                                                  const std::function<bool(int draw)>& wanted) {
   const SceneText& text = study.text;
   const SceneFile scene = has_sweep(text) ? parse_sweep_file(text).first_scene() : parse_scene_file(text);
-  const std::vector<std::string> parts = drawn_parts(study);
+  drawn_parts(study); // refuses parts that there are not
   NormalDraws draws(static_cast<std::uint64_t>(study.uncertainty.seed));
   std::vector<std::vector<PartResult>> out;
   Progress progress("draws", study.uncertainty.draws);
   for (int k = 1; k <= study.uncertainty.draws; ++k) {
     const std::filesystem::path folder = where.parts() / "draws" / fmt::format("{:04}", k);
-    const std::filesystem::path file = folder / "scene.toml";
     std::optional<OutputFolder> made;
     if (wanted(k)) {
       make_folder(folder.parent_path());
-      made.emplace(folder, FolderUse{.maker = study_maker, .list = "draw", .inputs = where.inputs});
+      made.emplace(folder, use_of_draw(where));
     }
     const std::vector<SceneChange> changes =
         changes_of_draw(study, scene, {folder, made ? &*made : nullptr}, draws);
-    if (made) {
-      const StudyFolder drawn_folder{file, folder, where.jobs, parts, where.program, where.inputs};
-      make_study_folder(drawn_folder);
-      const std::string_view dropped[] = {"uncertainty", "influence"};
-      const std::string drawn = changed_text(text, changes, dropped);
-      made->write("scene.toml", [&](std::ostream& to) { to << drawn; });
-      out.push_back(run_parts(study_case(read_scene_text(file)), drawn_folder, said, [](const auto&) {}));
+    if (made)
+      out.push_back(solve_changed(study, where, *made, changes, said));
+    progress.step();
+  }
+  progress.finish();
+  return out;
+}
+
+std::vector<std::string> states_of(const StudyCase& study) {
+  const std::vector<std::string> states = names_in(study.uncertainty.states);
+  std::vector<std::string> known;
+  for (const SurfaceState& state : surface_states())
+    known.emplace_back(state.name);
+  for (const std::string& state : states)
+    if (!find_state(state) || std::ranges::count(states, state) > 1)
+      throw InputError(fmt::format("uncertainty.states has '{}'", state),
+                       find_state(state) ? "it is named twice" : "layer.state knows no such state",
+                       fmt::format("Known are {}.", fmt::join(known, ", ")));
+  return states;
+}
+
+std::vector<std::vector<PartResult>>
+solve_states(const StudyCase& study, const StudyFolder& where, std::set<std::string>& said,
+             const std::function<bool(const std::string& state)>& wanted) {
+  std::vector<std::vector<PartResult>> out;
+  const std::vector<std::string> states = states_of(study);
+  Progress progress("states", static_cast<int>(states.size()));
+  for (const std::string& state : states) {
+    if (wanted(state)) {
+      make_folder(where.parts() / "states");
+      OutputFolder made(where.parts() / "states" / state, use_of_draw(where));
+      out.push_back(solve_changed(study, where, made, {{"layer.state", state}}, said));
     }
     progress.step();
   }
   progress.finish();
   return out;
+}
+
+std::vector<std::string> vary_states(const StudyCase& study, const StudyFolder& where,
+                                     std::set<std::string>& said, std::vector<HeadlineNumber>& headline) {
+  const std::vector<std::string> states = states_of(study);
+  std::vector<std::string> without;
+  std::size_t at = 0;
+  for (const std::vector<PartResult>& results :
+       solve_states(study, where, said, [](const std::string&) { return true; })) {
+    if (std::ranges::any_of(results, [](const PartResult& r) { return r.code != 0; }))
+      without.push_back(states[at]);
+    ++at;
+    const std::vector<double> values = values_in(headline, headline_of(results));
+    for (std::size_t k = 0; k < headline.size(); ++k)
+      headline[k].by_state.push_back(values[k]);
+  }
+  if (without.empty())
+    return {};
+  return {fmt::format("With layer.state = {} a part has no certified answer: its numbers are missing",
+                      fmt::join(without, ", "))};
 }
 
 std::vector<std::string> draw_inputs(const StudyCase& study, const StudyFolder& where,

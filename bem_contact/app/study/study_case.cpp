@@ -61,7 +61,10 @@ Schema schema_of(StudyCase& study) {
   constexpr int most_draws = 10000; // a typing error
   uncertainty.add("draws", u.draws, "How often the inputs are drawn", {.at_least = 2, .at_most = most_draws});
   uncertainty.add("seed", u.seed, "Other seeds give other draws", {.at_least = 0});
-  uncertainty.add("parts", u.parts, "Parts of the study that are drawn, with commas; none: all");
+  uncertainty.add("states", u.states,
+                  "States of the surfaces (layer.state) that the study is answered for, too, with commas");
+  uncertainty.add("parts", u.parts,
+                  "Parts of the study that are drawn or have states, with commas; none: all");
   influence.add("program", study.influence.program,
                 "Program that is called with a body file and the influence file to write, if --influence "
                 "names it, too");

@@ -18,6 +18,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <iterator>
@@ -32,7 +33,8 @@ constexpr const char* study_help =
 name gives, and may have the command's options as keys (wear.depth for wear --depth):
     [wheelset] [sweep] [compare] [conicity] [creep_curves] [table] [fatigue] [shakedown] [wear]
     [influence]    rail = "BODY.toml": compute rail.influence where it is missing (tools/influence); so wheel
-    [uncertainty]  friction, load, lateral, profile_noise: standard deviations of the inputs; draws, seed, parts
+    [uncertainty]  friction, load, lateral, profile_noise: standard deviations of the inputs; draws, seed, parts;
+                   states = "clean, rig, locomotive": the same numbers for other states of the surfaces (layer.state)
 Example:
     bem_contact new --wheel S1002 --rail 60E1 --curve 300 --load 80e3 -o curve.toml
     bem_contact study curve.toml -o curve
@@ -59,6 +61,10 @@ struct StudyArguments {
   bool list = false;
 };
 
+std::string name_of_state(const std::string& state) {
+  return "states/" + state;
+}
+
 std::string name_of_draw(int draw) {
   return fmt::format("draws/{:04}", draw);
 }
@@ -71,6 +77,8 @@ std::vector<std::string> tasks_of(const StudyCase& study) {
       out.emplace_back(part.name);
   for (int draw = 1; draw <= draws_of(study); ++draw)
     out.push_back(name_of_draw(draw));
+  for (const std::string& state : states_of(study))
+    out.push_back(name_of_state(state));
   return out;
 }
 
@@ -102,6 +110,23 @@ std::string headline_text(const std::vector<HeadlineNumber>& headline, bool draw
                        drawn ? fmt::format(" {:>12}", record::two_digits(n.input_spread)) : "",
                        n.unit == "1" ? "" : n.unit);
   return out;
+}
+
+std::string states_text(const std::vector<HeadlineNumber>& headline, const std::vector<std::string>& states) {
+  if (states.empty())
+    return "";
+  std::string out = fmt::format("{:13} {:38} {:>12}", "by state", "number", "as given");
+  for (const std::string& state : states)
+    out += fmt::format(" {:>11}", state);
+  for (const HeadlineNumber& n : headline) {
+    if (std::ranges::all_of(n.by_state, [](double value) { return std::isnan(value); }))
+      continue;
+    out += fmt::format("\n{:13} {:38} {:>12.5g}", n.part->name, n.name, n.value);
+    for (const double value : n.by_state)
+      out += std::isnan(value) ? fmt::format(" {:>11}", "-") : fmt::format(" {:>11.5g}", value);
+    out += n.unit == "1" ? "" : " " + n.unit;
+  }
+  return out + "\n";
 }
 
 GivenScene given_for_study(const SceneText& text) {
@@ -162,6 +187,11 @@ ExitCode run_only(const StudyCase& study, StudyFolder where, const std::vector<s
   if (std::ranges::any_of(only, [](const std::string& name) { return name.starts_with("draws/"); }))
     for (const std::vector<PartResult>& results : solve_draws(study, where, said, drawn))
       worst = std::max(worst, worst_of(results));
+  const auto varied = [&](const std::string& state) {
+    return std::ranges::count(only, name_of_state(state)) > 0;
+  };
+  for (const std::vector<PartResult>& results : solve_states(study, where, said, varied))
+    worst = std::max(worst, worst_of(results));
   return static_cast<ExitCode>(worst);
 }
 
@@ -179,6 +209,7 @@ ExitCode run_study(const StudyArguments& arguments) {
     study.influence.program = where.program;
   if (!arguments.only.empty())
     return run_only(study, where, arguments.only);
+  const std::vector<std::string> states = states_of(study);
   const GivenScene given = given_for_study(study.text);
   where.inputs = inputs_of_study(study, where.scene);
   make_folder(where.folder);
@@ -197,18 +228,21 @@ ExitCode run_study(const StudyArguments& arguments) {
   const bool drawn = study.uncertainty.asked();
   if (drawn)
     warn(draw_inputs(study, where, said, headline));
+  if (!states.empty())
+    warn(vary_states(study, where, said, headline));
   const std::filesystem::path file = made.take(study_file);
-  const record::Record answer = study_record(given, file, results, headline);
+  const record::Record answer = study_record(given, file, results, headline, states);
   record::write_hdf5(file, answer);
   made.done(study_file);
-  const std::vector<std::string> tables = write_tables(made, results, headline);
+  const std::vector<std::string> tables = write_tables(made, results, headline, states);
   const bool has_page = write_page_of(file, made.take(study_page));
   made.done(study_page);
   std::vector<std::string> kept = tables;
   kept.insert(kept.end(), {study_file, study_page});
   made.remove_others(kept); // of parts that the scene does not ask for any more
-  print_out("\n{}{}{}: {}study.h5, {}\n", record::found_text(answer), headline_text(headline, drawn),
-            arguments.folder.string(), has_page ? "study.html, " : "", fmt::join(tables, ", "));
+  print_out("\n{}{}{}{}: {}study.h5, {}\n", record::found_text(answer), headline_text(headline, drawn),
+            states_text(headline, states), arguments.folder.string(), has_page ? "study.html, " : "",
+            fmt::join(tables, ", "));
   return static_cast<ExitCode>(worst_of(results));
 }
 

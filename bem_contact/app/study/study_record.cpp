@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -37,9 +38,12 @@ constexpr HeadlinePlace headline_places[] = {
     {"solve", "quantities/pmax"},
     {"solve", "quantities/area"},
     {"solve", "quantities/T_gamma"},
+    {"solve", "quantities/free_rolling_xi"},
     {"wheelset", "wheelset/lateral"},
     {"wheelset", "wheelset/rolling_radius"},
     {"wheelset", "right/track/share"},
+    {"wheelset", "right/track/Fx"},
+    {"wheelset", "left/track/Fx"},
     {"wheelset", "right/track/Fy"},
     {"wheelset", "left/track/Fy"},
     {"wheelset", "right/track/Y_over_Q"},
@@ -190,6 +194,14 @@ record::Table headline_table(const std::vector<HeadlineNumber>& headline) {
   return {"number", {value, elements, inputs, draws}};
 }
 
+record::Content states_field(const std::vector<HeadlineNumber>& headline, std::size_t states) {
+  std::vector<double> values;
+  for (const HeadlineNumber& number : headline)
+    values.insert(values.end(), number.by_state.begin(), number.by_state.end());
+  return record::field(std::move(values), "", "[number][state], each in its unit; nan: not known",
+                       {headline.size(), states});
+}
+
 record::Texts texts_of(const std::vector<HeadlineNumber>& headline, const char* meaning,
                        const std::function<std::string(const HeadlineNumber&)>& text) {
   record::Texts out{{}, meaning};
@@ -229,7 +241,8 @@ std::vector<HeadlineNumber> headline_of(const std::vector<PartResult>& results) 
 
 record::Record study_record(const GivenScene& given, const std::filesystem::path& output,
                             const std::vector<PartResult>& results,
-                            const std::vector<HeadlineNumber>& headline) {
+                            const std::vector<HeadlineNumber>& headline,
+                            const std::vector<std::string>& states) {
   record::Record out = headed(study_format, given, output), parts;
   out.add("taken", taken_record(given.text));
   out.add("headline", headline_table(headline));
@@ -238,6 +251,10 @@ record::Record study_record(const GivenScene& given, const std::filesystem::path
   out.add("headline_names", texts_of(headline, "its name", [](const auto& n) { return n.name; }));
   out.add("headline_units", texts_of(headline, "its unit", [](const auto& n) { return n.unit; }));
   out.add("headline_meanings", texts_of(headline, "in words", [](const auto& n) { return n.meaning; }));
+  if (!states.empty()) {
+    out.add("states", record::Texts{states, "states of the surfaces (layer.state)"});
+    out.add("headline_states", states_field(headline, states.size()));
+  }
   for (const PartResult& result : results) {
     record::Record one = record_of_part(result);
     const FileKind* kind = kind_of(record::text_at(one, "format").value_or(""));
@@ -255,7 +272,8 @@ record::Record study_record(const GivenScene& given, const std::filesystem::path
 }
 
 std::vector<std::string> write_tables(OutputFolder& folder, const std::vector<PartResult>& results,
-                                      const std::vector<HeadlineNumber>& headline) {
+                                      const std::vector<HeadlineNumber>& headline,
+                                      const std::vector<std::string>& states) {
   std::vector<std::string> names;
   const auto write = [&](std::string name, const std::function<void(std::ostream&)>& lines) {
     folder.write(name += ".csv", lines);
@@ -282,6 +300,16 @@ std::vector<std::string> write_tables(OutputFolder& folder, const std::vector<Pa
                          record::csv_cell(n.element_error, 3), record::csv_cell(n.input_spread, 3), n.draws,
                          n.unit);
   });
+  if (!states.empty())
+    write("states", [&](std::ostream& out) {
+      out << fmt::format("part,name,value,{},unit\n", fmt::join(states, ","));
+      for (const HeadlineNumber& n : headline) {
+        out << fmt::format("{},{},{}", n.part->name, n.name, record::csv_cell(n.value, 9));
+        for (const double value : n.by_state)
+          out << ',' << record::csv_cell(value, 9);
+        out << ',' << n.unit << '\n';
+      }
+    });
   return names;
 }
 

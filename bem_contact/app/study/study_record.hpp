@@ -16,9 +16,10 @@ struct HeadlineNumber {
   const Part* part = nullptr;
   std::string name, meaning, unit; ///< "right/track/pmax"
   double value = 0;
-  double element_error = 0; ///< by the size of the elements; nan: not known
-  double input_spread = 0;  ///< standard deviation by [uncertainty]; nan: not drawn
-  int draws = 0;            ///< that have the number
+  double element_error = 0;          ///< by the size of the elements; nan: not known
+  double input_spread = 0;           ///< standard deviation by [uncertainty]; nan: not drawn
+  int draws = 0;                     ///< that have the number
+  std::vector<double> by_state = {}; ///< for each of [uncertainty] states; nan: it has none
 };
 
 /// What a part's file says; of a sweep without the fields of its cases. Empty: it has no file.
@@ -27,15 +28,17 @@ record::Record record_of_part(const PartResult& result);
 /// Those of all parts, in their order.
 std::vector<HeadlineNumber> headline_of(const std::vector<PartResult>& results);
 
-/// What study.h5 holds: the scene, what was taken, the headline as a table with its names beside it, and each
-/// part in "parts/NAME".
+/// What study.h5 holds: the scene, what was taken, the headline as a table with its names beside it, what it
+/// is for other states of the surfaces ("headline_states", [number][state]), and each part in "parts/NAME".
 record::Record study_record(const GivenScene& given, const std::filesystem::path& output,
                             const std::vector<PartResult>& results,
-                            const std::vector<HeadlineNumber>& headline);
+                            const std::vector<HeadlineNumber>& headline,
+                            const std::vector<std::string>& states);
 
-/// One CSV file for each table of numbers that the parts have, and study.csv with the headline. Returns their
-/// names.
+/// One CSV file for each table of numbers that the parts have, study.csv with the headline, and states.csv
+/// with what it is for other states of the surfaces. Returns their names.
 std::vector<std::string> write_tables(OutputFolder& folder, const std::vector<PartResult>& results,
-                                      const std::vector<HeadlineNumber>& headline);
+                                      const std::vector<HeadlineNumber>& headline,
+                                      const std::vector<std::string>& states);
 
 } // namespace bem_contact::app

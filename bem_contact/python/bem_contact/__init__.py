@@ -18,7 +18,7 @@ Each command of the program has a function here, or is called as a command:
     sweep         sweep()                                 fatigue       fatigue(), of a Result
     conicity      conicity(), conicity_map()              report        report()
     plot          plot()                                  study         study()
-    shakedown     shakedown(), of a Result
+    shakedown     shakedown(), of a Result                fit           fit()
 
     info, influence, stresses, schema, new, from-contact, explore, options such as --csv    python3 -m bem_contact info FILE.h5, from a shell
 
@@ -35,7 +35,7 @@ from .profiles import Profile
 from .studies import study
 
 try:
-    from ._core import ConvergenceError, Error, InputError, Result, Sequence, Table, __commit__, __version__, check, compare, conicity, conicity_map, creep_curves, fatigue, profile, read_table, report, shakedown, solve, standards, sweep, table, wear, wheelset
+    from ._core import ConvergenceError, Error, InputError, Result, Sequence, Table, __commit__, __version__, check, compare, conicity, conicity_map, creep_curves, fatigue, fit, profile, read_table, report, shakedown, solve, standards, sweep, table, wear, wheelset
 except ModuleNotFoundError as missing:
     if missing.name != f"{__name__}._core":
         raise

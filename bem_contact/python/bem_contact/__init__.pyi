@@ -182,12 +182,23 @@ def creep_curves(
     phi: Any = None,
     folder: str | PathLike[str] | None = None,
     executor: Executor | None = None,
-    measured: str | PathLike[str] | None = None,
+    measured: str | PathLike[str] | Mapping[str, Any] | None = None,
 ) -> dict[str, Any]:
     """Forces over creepages (each of xi, eta, phi: values, or None), slopes at zero, sensitivities; NumPy arrays.
 
     Matrices are [Fx, Fs, Mz][xi, eta, phi]. Without any values all three curves go from full slip to full slip.
     """
+
+def fit(
+    scene: _Scene,
+    measured: str | PathLike[str] | Mapping[str, Any],
+    parameters: str | _List[str],
+    changes: _Changes = None,
+    model: _Model = None,
+    *,
+    folder: str | PathLike[str] | None = None,
+) -> dict[str, Any]:
+    """Keys of a scene by measured forces (a CSV file, or a dict of columns xi, Fx, scatter), with intervals of 95 %."""
 
 def wheelset(
     scene: _Scene, changes: _Changes = None, model: _Model = None, *, folder: str | PathLike[str] | None = None

@@ -85,6 +85,8 @@ constexpr std::size_t index(CreepKind kind) {
   return static_cast<std::size_t>(kind);
 }
 
+} // namespace
+
 void require_creepages(const SceneFile& scene, std::span<const CreepRange> ranges) {
   const auto refuse = [](const char* why, const char* what_to_do) {
     throw InputError("This scene has no creep curves", why, what_to_do);
@@ -126,6 +128,8 @@ HeldContact held_by(const SceneFile& scene, const SceneResult& first) {
     out.offset = first.motion.xi - scene.motion.xi;
   return out;
 }
+
+namespace {
 
 SceneFile held_scene(const SceneFile& given, const HeldContact& held) {
   SceneFile scene = with_elements(with_model(given, held.model), held.dx, held.ds);

@@ -91,6 +91,13 @@ struct HeldContact {
   bool operator==(const HeldContact&) const = default;
 };
 
+/// Of a scene and its first solution.
+HeldContact held_by(const SceneFile& scene, const SceneResult& first);
+
+/// Throws InputError for a scene without friction, one that is no steady rolling, one that prescribes shear
+/// forces, and for ranges of too many points or of values that are not finite.
+void require_creepages(const SceneFile& scene, std::span<const CreepRange> ranges);
+
 /// Solves points of the same scene: what each has but its `creepage`.
 using CreepSolver =
     std::function<std::vector<CreepPoint>(const HeldContact& held, std::span<const Creepages> points)>;
@@ -103,9 +110,8 @@ std::vector<CreepPoint> creep_points(const SceneFile& scene, const HeldContact& 
 /// Solves one scene in steady rolling for all points of all curves, each from the one before, or by `solve`.
 /// The wheelset stays where it is: the displacement of a lateral force (load.force_y), the creepage of free
 /// rolling and the compliance of a layer's slope are found once and kept, and the elements keep their size.
-/// Throws InputError for a scene
-/// without friction, one that is no steady rolling, or one that prescribes shear forces; ConvergenceError as
-/// Sequence::solve() does, and Stopped where another thread sets `stop`.
+/// Throws as require_creepages() does; ConvergenceError as Sequence::solve() does, and Stopped where another
+/// thread sets `stop`.
 CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ranges,
                          const std::atomic<bool>* stop = nullptr, const CreepSolver& solve = nullptr);
 

@@ -14,8 +14,8 @@ namespace bem_contact {
 
 namespace {
 
-[[noreturn]] void refuse_columns(const std::filesystem::path& file, const std::vector<std::string>& columns) {
-  throw InputError(fmt::format("The table '{}' holds no measured forces", file.string()),
+[[noreturn]] void refuse_columns(const std::string& source, const std::vector<std::string>& columns) {
+  throw InputError(fmt::format("The table '{}' holds no measured forces", source),
                    fmt::format("its columns are {}", fmt::join(columns, ", ")),
                    "Begin it with a creepage (xi, eta, phi), a force (Fx, Fs, Mz) and, if it is known, "
                    "scatter, as xi,Fx,scatter.");
@@ -31,25 +31,30 @@ bool certified(const MeasuredForces& measured) {
   return std::ranges::all_of(measured.computed, &CreepPoint::certified);
 }
 
-MeasuredForces read_measured_forces(const std::filesystem::path& file) {
-  const std::vector<std::string> columns = csv_columns(file);
+MeasuredForces measured_forces(const std::string& source, const std::vector<std::string>& columns,
+                               const std::vector<std::vector<double>>& rows) {
   const auto which = columns.size() < 2 ? std::nullopt : value_named<CreepKind>(columns[0]);
   const auto force = columns.size() < 2 ? std::nullopt : value_named<CreepForce>(columns[1]);
   const bool scatter = columns.size() == 3 && columns[2] == "scatter";
   if (!which || !force || (columns.size() > 2 && !scatter))
-    refuse_columns(file, columns);
+    refuse_columns(source, columns);
   MeasuredForces out{.which = *which, .force = *force, .creepage = {}, .measured = {}, .scatter = {}};
-  for (const std::vector<double>& row : read_csv(file, columns)) {
+  for (const std::vector<double>& row : rows) {
     out.creepage.push_back(row[0]);
     out.measured.push_back(row[1]);
     if (scatter)
       out.scatter.push_back(row[2]);
     if (scatter && row[2] < 0)
-      throw InputError(fmt::format("The table '{}' has a scatter of {:g} in its row {}", file.string(),
-                                   row[2], out.scatter.size()),
+      throw InputError(fmt::format("The table '{}' has a scatter of {:g} in its row {}", source, row[2],
+                                   out.scatter.size()),
                        "a standard deviation is not below 0", "Correct it, or leave out the column scatter.");
   }
   return out;
+}
+
+MeasuredForces read_measured_forces(const std::filesystem::path& file) {
+  const std::vector<std::string> columns = csv_columns(file);
+  return measured_forces(file.string(), columns, read_csv(file, columns));
 }
 
 CreepCurves creep_curves_beside(MeasuredForces& measured, const SceneFile& scene,

@@ -4,6 +4,7 @@
 #include "bem_contact/uses/curves/creep_curves.hpp"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace bem_contact {
@@ -20,6 +21,10 @@ struct MeasuredForces {
 
 /// Whether every point that is computed is certified.
 bool certified(const MeasuredForces& measured);
+
+/// `rows` of the `columns` of a `source`, as read_measured_forces() says. Throws InputError.
+MeasuredForces measured_forces(const std::string& source, const std::vector<std::string>& columns,
+                               const std::vector<std::vector<double>>& rows);
 
 /// Reads a CSV file whose columns are a creepage, a force and, where it is known, "scatter": "xi,Fx,scatter".
 /// Throws InputError for other columns and what read_csv() refuses.

@@ -167,6 +167,21 @@ TEST(Evolution, AccountsForItsVolume) {
   EXPECT_NEAR(std::max(after.rail.largest(), after.wheel.largest()), 0.05, 1e-9);
 }
 
+/// What steel bears acts in every step: the contact is wider, and so is what it wears.
+TEST(Evolution, TakesTheLimitOfPressureOfTheScene) {
+  const auto worn_places = [](std::optional<double> limit) {
+    std::vector<CollectiveCase> cases = collective();
+    for (CollectiveCase& one : cases)
+      one.scene.rail.limit_pressure = limit;
+    const WornPair after = wear_step(unworn(cases.front().scene), cases, {.cap = 0.02}, 1, folder());
+    EXPECT_NEAR(after.largest(), 0.02, 1e-9);
+    return after.rail.area;
+  };
+  const double elastic = worn_places({}), beyond = worn_places(1e5), limited = worn_places(600);
+  EXPECT_NEAR(beyond / elastic, 1, 1e-6);
+  EXPECT_GT(limited, 1.05 * elastic); // as deep, but wider
+}
+
 /// The map of KTH as a table of the scene is the map that a scene without one has. Its last number is used.
 TEST(Evolution, TakesTheWearMapOfTheScene) {
   const auto map_of = [](const std::string& wear) {

@@ -1,4 +1,4 @@
-"""Creep curves: each force over each creepage, with the bound of friction and the slopes of linear theory."""
+"""Creep curves and fits: each force over each creepage, with the bound of friction and the slopes of linear theory."""
 
 import h5py
 import numpy as np
@@ -31,8 +31,11 @@ def draw_curve(panel, name, curve, scales, kalker):
     panel.ticklabel_format(axis="x", scilimits=(-2, 2))
 
 
-def draw_measured(panel, measured, scales):
+def draw_measured(panel, measured, scales, band=None):
     force, points = text(measured.attrs["force"]), measured["points"]
+    if band is not None:
+        panel.fill_between(band["creepage"][:], band["low"][:] / scales[force], band["high"][:] / scales[force], color=style.FORCES[force][0],
+                           alpha=0.2, linewidth=0, label=f"95 % of what the points allow of {force}")
     scatter = points["scatter"][:] / scales[force] if "scatter" in points else None
     panel.errorbar(points["creepage"][:], points["measured"][:] / scales[force], scatter, fmt="s", color=style.INK, fillstyle="none",
                    capsize=3, markersize=5, label=f"{force} as measured")
@@ -49,10 +52,11 @@ def draw(files):
             scales = {"Fx": bound, "Fs": bound, "Mz": bound * radius}
             draw_curve(panel, name, curves[name], scales, file["kalker"][:] if "kalker" in file else None)
             if "measured" in file and text(file["measured"].attrs["creepage"]) == name:
-                draw_measured(panel, file["measured"], scales)
+                draw_measured(panel, file["measured"], scales, file.get("band"))
         axes[0, 0].set_ylabel("force on the rail over its bound")
         middle = axes[0, len(names) // 2]
         style.legend_beside(middle, below=True, columns=5 if len(names) > 1 else 2)
-        figure.suptitle(f"Creep curves: vertical force {force:.6g} N, bound of friction μ Fn = {bound:.6g} N, "
+        what = "Fit to measured forces" if "parameters" in file else "Creep curves"
+        figure.suptitle(f"{what}: vertical force {force:.6g} N, bound of friction μ Fn = {bound:.6g} N, "
                         f"mean radius of the contact c = {radius:.3g} mm\n" + EXPLAINED, fontsize=10.5)
         return figure
