@@ -42,7 +42,7 @@ constexpr const char* sweep_help =
     fields = true           # the default up to 1000 cases; false: keep only the totals of each case
 Example, 64 contacts from tread to flange:
     bem_contact sweep data/scenes/cases_halfspace.toml -o sweep.h5 --csv sweep.csv
-You should see the progress, then `64 certified, of 64 cases`. A sweep of a second or less is solved in one
+You should see the progress, then `64 of 64 cases are certified`. A sweep of a second or less is solved in one
 process. A longer one is shared among processes; if it is stopped, call it again: the folder sweep.h5.parts holds the
 finished cases, and only the others are solved. So is a case whose process died, as when memory ran out.
 
@@ -153,8 +153,8 @@ ExitCode say_what_was_found(const AskedSweep& asked, const SweepRequest& request
   const H5Reader file(request.output);
   if (!request.csv.empty())
     write_csv(csv_files(request.csv), asked.sweep, asked.columns(), file);
-  const SweepSummary summary = sweep_summary(file, asked.sweep.size(), head);
-  print_out("{}{}", record::found_text(record::read_hdf5_for_found(request.output)), summary.text);
+  const SweepSummary summary = sweep_summary(file, asked.sweep.size());
+  print_out("{}{}{}", head, record::found_text(record::read_hdf5_for_found(request.output)), summary.more);
   return summary.certified ? success : no_convergence;
 }
 
@@ -169,10 +169,9 @@ ExitCode run_part(const SweepRequest& request, SweepFile sweep) {
   solve_part(asked, cases, output_target(request.output, OutputForm::whole_file).file,
              [&] { progress.step(); });
   progress.finish();
-  print_out("{}", sweep_summary(
-                      H5Reader(request.output), cases.size(),
-                      fmt::format("cases {} to {} of {}: ", cases.first, cases.last - 1, asked.sweep.size()))
-                      .text);
+  const SweepSummary summary = sweep_summary(H5Reader(request.output), cases.size());
+  print_out("cases {} to {} of {}: {}{}", cases.first, cases.last - 1, asked.sweep.size(), summary.counts,
+            summary.more);
   return success;
 }
 
