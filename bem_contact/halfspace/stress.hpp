@@ -10,6 +10,7 @@ struct Stress {
 
   /// Adds a multiple of another.
   Stress& add(double weight, const Stress& other);
+  bool operator==(const Stress&) const = default;
 };
 
 /// Von Mises' equivalent stress, MPa.

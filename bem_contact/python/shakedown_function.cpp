@@ -16,7 +16,7 @@ using namespace py::literals;
 
 py::dict shakedown_of_result(const PythonResult& result, std::optional<double> yield_shear,
                              std::optional<double> dang_van_a, std::optional<double> alpha, bool in_plane,
-                             const std::string& steel) {
+                             const std::string& steel, const std::optional<std::string>& initial_stress) {
   if (!result.solved)
     throw InputError("shakedown needs a result that was solved here",
                      "one that was pickled holds only its properties", "Solve the scene again.");
@@ -26,6 +26,8 @@ py::dict shakedown_of_result(const PythonResult& result, std::optional<double> y
   properties.dang_van_a = dang_van_a.value_or(properties.dang_van_a);
   properties.alpha = alpha;
   properties.residual = in_plane ? shakedown::Residual::in_plane : shakedown::Residual::all;
+  if (initial_stress)
+    properties.initial = shakedown::read_initial_stress(*initial_stress);
   return as_dict(record_of(shakedown::shakedown_of(*result.solved, properties), properties));
 }
 
@@ -35,6 +37,7 @@ void add_shakedown(py::module_& module) {
   module.def(
       "shakedown", &shakedown_of_result, "result"_a, "yield_shear"_a = py::none(),
       "dang_van_a"_a = py::none(), "alpha"_a = py::none(), "in_plane"_a = false, "steel"_a = "",
+      "initial_stress"_a = py::none(),
       "Whether the steel below each patch of a Result yields never, once or for ever while it passes again "
       "and again: "
       "`patches` with the load factors `first_yield`, `shakedown` (lower bound) and `shakedown_upper`, with "
@@ -44,7 +47,10 @@ void add_shakedown(py::module_& module) {
       "`steel`: such as R260 or ER7, "
       "whose fatigue limit, a and k are then taken; `alpha`: "
       "Crossland's, by "
-      "default that of a steel with this Dang Van's a; `in_plane`: without residual shear along the track.");
+      "default that of a steel with this Dang Van's a; `in_plane`: without residual shear along the track; "
+      "`initial_stress`: a CSV file with residual and thermal stress of the body (depth, perhaps s, mm; any "
+      "of "
+      "xx, ss, nn, xs, xn, sn, MPa), which first yield and fatigue feel.");
 }
 
 } // namespace bem_contact

@@ -1,6 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "fem_influence/harmonic/body_stresses.hpp"
 #include "fem_influence/harmonic/remainder.hpp"
+#include "fem_influence/harmonic/section_stresses.hpp"
 #include "section_meshes.hpp"
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace bem_contact::fem::test {
 namespace {
@@ -96,6 +98,152 @@ TEST(StressesInside, OfAHertzCircle) {
   const inside::Peak shear = peaks_of(found, found.areas.at(0)).shear;
   EXPECT_NEAR(shear.value, 314.6, 0.01 * 314.6);
   EXPECT_NEAR(shear.at.depth, 0.47 * 4, 0.3);
+}
+
+/// What a box below the contact bears, nn on its bottom and sn on its sides, is the force on its top.
+TEST(StressesInside, BearTheForce) {
+  const Folder folder;
+  write_block_mesh(folder / "block.msh", 0.5, 6, 150, false, 1.25);
+  BodyFile body = block_body();
+  body.harmonic.border_levels = 0;
+  const ProfileCurve curve = straight_line(150);
+  constexpr int rows = 24, columns = 20;
+  SurfaceTractions load{.dx = 0.5, .ds = 0.5, .x0 = -4.75, .columns = columns};
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      if (column == 0)
+        load.s.push_back(-5.75 + 0.5 * row);
+      const bool loaded = row >= 8 && row < 16;
+      load.pn.push_back(loaded ? 100 : 0);
+      load.px.push_back(loaded ? 30 : 0);
+      load.ps.push_back(0);
+    }
+  AskedStresses plane;
+  for (double s = -98; s < 99; s += 4) // middles of equal steps
+    plane.points.push_back({s, 8});
+  for (const double side : {-100.0, 100.0})
+    for (const double depth : {1.0, 3.0, 5.0, 7.0})
+      plane.points.push_back({side, depth});
+  for (double x = -198; x < 199; x += 4)
+    plane.x.push_back(x);
+  const SectionTask on{.body = body,
+                       .curve = curve,
+                       .mesh = folder / "block.msh",
+                       .tractions = load,
+                       .least_depth = 6,
+                       .areas = {plane}};
+  const SectionStresses found = section_stresses(on, without_progress);
+  double borne = 0;
+  for (std::size_t i = 0; i < plane.points.size(); ++i)
+    for (const Stress& t : found.areas.at(0)[i])
+      borne -= plane.points[i].depth == 8 ? 16 * t.nn : (plane.points[i].s > 0 ? 8 : -8) * t.sn;
+  const double force = load.force()[component_n];
+  EXPECT_NEAR(borne, force, 0.001 * force);
+}
+
+/// Of a disc or a bore of this radius in plane strain: it is loaded over the whole period.
+struct RoundBody {
+  static constexpr double radius = 10;
+  static constexpr int count = 48;
+  Folder folder;
+  bool hole;
+  ProfileCurve circle;
+  BodyFile body;
+  SurfaceTractions tractions;
+
+  explicit RoundBody(bool is_bore) : hole(is_bore), circle(full_circle(radius, is_bore)) {
+    write_ring_mesh(folder / "ring.msh", radius, hole ? 40 * radius : 0.02 * radius, count);
+    body.body.kind = hole ? BodyKind::bore : BodyKind::disc;
+    body.strip = {circle.s_begin(), circle.s_end(), (circle.s_end() - circle.s_begin()) / count};
+    body.harmonic.remote_distance = 0.5 * radius;
+    body.harmonic.half_period = 4 * radius;
+    body.harmonic.degree = 2;
+    body.harmonic.border_levels = 0;
+    tractions = {.dx = 8 * radius, .ds = body.strip.station_width, .x0 = 0, .columns = 1};
+    for (int i = 0; i < count; ++i)
+      tractions.s.push_back(circle.s_begin() + (i + 0.5) * tractions.ds);
+    tractions.px.assign(count, 0), tractions.ps = tractions.px, tractions.pn = tractions.px;
+  }
+  std::vector<inside::Passage> stresses(const std::vector<BelowSurface>& points) const {
+    return section_stresses({.body = body,
+                             .curve = circle,
+                             .mesh = folder / "ring.msh",
+                             .tractions = tractions,
+                             .least_depth = 2.5,
+                             .areas = {{.points = points, .x = {0}}}},
+                            without_progress)
+        .areas.at(0);
+  }
+};
+
+/// Michell's solutions of a disc and of a bore under the pressure p cos 2 phi: in a disc
+/// rr = -p cos 2 phi, tt = p (1 - 2 r2/R2) cos 2 phi, rt = p (1 - r2/R2) sin 2 phi; around a bore
+/// rr = p (R4/r4 - 2 R2/r2) cos 2 phi, tt = -p R4/r4 cos 2 phi, rt = p (R4/r4 - R2/r2) sin 2 phi.
+TEST(StressesInside, OfDiscAndBoreAreMichells) {
+  for (const bool hole : {false, true}) {
+    RoundBody round(hole);
+    const double half = std::numbers::pi / RoundBody::count * 2,
+                 p = std::sin(half) / half; // constant on each station
+    for (int i = 0; i < RoundBody::count; ++i)
+      round.tractions.pn[static_cast<std::size_t>(i)] =
+          std::cos(2 * round.tractions.s[static_cast<std::size_t>(i)] / RoundBody::radius);
+    std::vector<BelowSurface> points;
+    for (const double phi : {0.3, 1.1, 2.0})
+      for (const double depth : {2.5, 4.0, 6.0})
+        points.push_back({phi * RoundBody::radius, depth});
+    const std::vector<inside::Passage> found = round.stresses(points);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double phi = points[i].s / RoundBody::radius, c = std::cos(2 * phi), s = std::sin(2 * phi);
+      const double r = (RoundBody::radius + (hole ? 1 : -1) * points[i].depth) / RoundBody::radius,
+                   r2 = r * r;
+      const Stress right = hole ? Stress{.ss = -p * c / (r2 * r2),
+                                         .nn = p * c * (1 / (r2 * r2) - 2 / r2),
+                                         .sn = p * s * (1 / (r2 * r2) - 1 / r2)}
+                                : Stress{.ss = p * c * (1 - 2 * r2), .nn = -p * c, .sn = -p * s * (1 - r2)};
+      const Stress& t = found[i].at(0);
+      EXPECT_NEAR(t.ss, right.ss, 0.005) << hole << " " << i;
+      EXPECT_NEAR(t.nn, right.nn, 0.005) << hole << " " << i;
+      EXPECT_NEAR(t.sn, right.sn, 0.005) << hole << " " << i;
+      EXPECT_NEAR(t.xx, 0.28 * (right.ss + right.nn), 0.005) << hole << " " << i;
+    }
+  }
+}
+
+/// The middle of the disc is held, which shows near it. A disc between two opposite line loads P: both
+/// Flamant's, and P / (pi R) in all directions (Timoshenko and Goodier, Theory of Elasticity, section 41).
+TEST(StressesInside, OfADiscBetweenTwoLineLoads) {
+  RoundBody round(false);
+  round.body.harmonic.degree = 3; // stresses rise steeply below the loads
+  constexpr double radius = RoundBody::radius;
+  const std::size_t n = RoundBody::count;
+  for (const std::size_t station : {n / 2 - 1, n / 2, n - 1, std::size_t(0)})
+    round.tractions.pn[station] = 100;
+  const std::vector<BelowSurface> points{{0, 3}, {0, 5}, {0, 6}, {3, 4}, {50, 5}, {9, 3}};
+  const std::vector<inside::Passage> found = round.stresses(points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const CurvePoint above = round.circle.at(points[i].s);
+    const Point2 at = above.position + points[i].depth * normal_of(above.delta);
+    double yy = 0, zz = 0, yz = 0;
+    constexpr int parts = 200;
+    for (int j = 0; j < parts; ++j) {
+      const double angle = 4 * std::numbers::pi / double(n) * ((j + 0.5) / parts - 0.5),
+                   load = 100 * radius * 4 * std::numbers::pi / double(n) / parts;
+      for (const double side : {1.0, -1.0}) {
+        const Point2 from{side * radius * std::sin(angle), side * radius * std::cos(angle)};
+        const Point2 way = at - from, inwards = (-1 / radius) * from;
+        const double r2 = dot(way, way), radial = -2 * load / std::numbers::pi * dot(way, inwards) / r2;
+        yy += radial * way.y * way.y / r2, zz += radial * way.z * way.z / r2,
+            yz += radial * way.y * way.z / r2;
+      }
+      yy += load / (std::numbers::pi * radius), zz += load / (std::numbers::pi * radius);
+    }
+    const double c = std::cos(above.delta), s = std::sin(above.delta);
+    const Stress& t = found[i].at(0);
+    const double scale = std::abs(yy) + std::abs(zz);
+    EXPECT_NEAR(t.ss, yy * c * c + zz * s * s + 2 * yz * c * s, 0.005 * scale) << i;
+    EXPECT_NEAR(t.nn, yy * s * s + zz * c * c - 2 * yz * c * s, 0.005 * scale) << i;
+    EXPECT_NEAR(t.sn, (zz - yy) * c * s + yz * (c * c - s * s), 0.005 * scale) << i;
+  }
 }
 
 /// What a body has more than the half-space is carried to the surface as a parabola, and no traction is

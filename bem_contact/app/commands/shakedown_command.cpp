@@ -36,7 +36,7 @@ You should see that the patch yields once, with a shakedown factor of 1.14, and 
 What stands behind it, and maps over the section: data/tutorial/shakedown.md.)";
 
 struct ShakedownArguments {
-  std::string scene, model, output, steel;
+  std::string scene, model, output, steel, initial_stress;
   bool json = false, in_plane = false;
   std::optional<double> yield_shear, dang_van_a, alpha, fatigue_limit; ///< nothing: of the steel, or usual
 
@@ -49,6 +49,8 @@ struct ShakedownArguments {
     out.alpha = alpha;
     if (fatigue_limit)
       out.fatigue_limit = fatigue_limit;
+    if (!initial_stress.empty())
+      out.initial = shakedown::read_initial_stress(initial_stress);
     validate(out);
     return out;
   }
@@ -79,6 +81,11 @@ std::string text_of(const shakedown::CollectiveShakedown&, const shakedown::Shak
 
 Output output_of(const ShakedownArguments& arguments) {
   return {"--output", arguments.output, OutputForm::whole_file};
+}
+
+/// The initial stress is not overwritten.
+void require_output_beside(const ShakedownArguments& arguments) {
+  require_named_outputs({arguments.initial_stress}, {output_of(arguments)});
 }
 
 /// Writes, prints, or both. `head`: of a file.
@@ -133,6 +140,8 @@ void of_scene(const ShakedownArguments& arguments) {
 }
 
 ExitCode run(const ShakedownArguments& arguments) {
+  if (!arguments.initial_stress.empty())
+    require_output_beside(arguments);
   if (!is_regular(arguments.scene)) { // a pipe can be read but once
     of_scene(arguments);
   } else if (is_hdf5(arguments.scene)) {
@@ -172,6 +181,9 @@ Command add_shakedown(CLI::App& program) {
       ->check(CLI::Range(0.0, 3.0));
   line->add_option("--crossland", a.alpha, "Crossland's alpha; by default that of a steel with this a")
       ->check(CLI::Range(0.0, 3.0));
+  line->add_option("--initial-stress", a.initial_stress,
+                   "Residual and thermal stress of the body (CSV: depth, perhaps s, mm; any of "
+                   "xx,ss,nn,xs,xn,sn, MPa)");
   line->add_flag(
       "--in-plane", a.in_plane,
       "Without residual shear along the track, which does not build up where traction changes its direction");

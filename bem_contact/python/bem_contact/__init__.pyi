@@ -301,6 +301,7 @@ def shakedown(
     alpha: float | None = None,
     in_plane: bool = False,
     steel: str = "",
+    initial_stress: str | None = None,
 ) -> dict[str, Any]:
     """Whether the steel below each patch yields never, once or for ever; shakedown bounds, Dang Van, Crossland; maps over the section."""
 

@@ -128,6 +128,17 @@ struct Block {
   }
 };
 
+/// The largest factor >= 0 with |initial + factor load| <= k; 0 where the initial stress exceeds k alone.
+double largest_factor(const Deviator& load, const Deviator& initial, double k) {
+  const double a = load.squaredNorm(), b = load.dot(initial), c = k * k - initial.squaredNorm();
+  if (c <= 0)
+    return 0;
+  if (a == 0)
+    return std::numeric_limits<double>::infinity();
+  const double root = std::sqrt(b * b + a * c);
+  return b > 0 ? c / (root + b) : (root - b) / a; // without cancellation
+}
+
 class Patch {
 public:
   Patch(const inside::AreaStresses& area, const ShakedownProperties& properties)
@@ -180,20 +191,23 @@ private:
     const double s = section_.s[i / section_.depths.size()],
                  depth = section_.depths[i % section_.depths.size()];
     const double k = properties_.yield_shear;
-    const std::vector<halfspace::Stress>& stresses = stresses_[i];
+    const halfspace::Stress initial =
+        properties_.initial ? properties_.initial->at(s, depth) : halfspace::Stress{};
     YieldPoint point{{}, fields_->at(s, depth)};
-    DeviatorPath path;
-    double longest = 0;
-    for (const halfspace::Stress& t : stresses) {
-      path.push_back(deviator(t));
-      point.path.push_back(path.back() / k);
-      longest = std::max(longest, path.back().norm());
+    std::vector<halfspace::Stress> whole = stresses_[i]; // with the initial stress
+    DeviatorPath elastic, path;
+    double first = std::numeric_limits<double>::infinity();
+    for (halfspace::Stress& t : whole) {
+      elastic.push_back(deviator(t));
+      point.path.push_back(elastic.back() / k);
+      path.push_back(deviator(t.add(1, initial)));
+      first = std::min(first, largest_factor(elastic.back(), deviator(initial), k));
     }
-    maps.first_yield.push_back(k / longest);
-    maps.cycle.push_back(k / smallest_ball(path, free_components(properties_.residual, depth == 0)).least);
+    maps.first_yield.push_back(first);
+    maps.cycle.push_back(k / smallest_ball(elastic, free_components(properties_.residual, depth == 0)).least);
     const Ball ball = smallest_ball(path);
-    maps.dang_van.push_back(dang_van(stresses, ball, properties_.dang_van_a));
-    maps.crossland.push_back(crossland(stresses, ball, properties_.crossland()));
+    maps.dang_van.push_back(dang_van(whole, ball, properties_.dang_van_a));
+    maps.crossland.push_back(crossland(whole, ball, properties_.crossland()));
     points_.push_back(std::move(point));
   }
 

@@ -2,6 +2,7 @@
 
 #include "bem_contact/inside/stresses_inside.hpp"
 #include "bem_contact/record/column.hpp"
+#include "bem_contact/uses/shakedown/initial_stress.hpp"
 #include "bem_contact/uses/shakedown/residual.hpp"
 
 #include <optional>
@@ -24,6 +25,9 @@ struct ShakedownProperties {
   std::optional<double> alpha = {};  ///< Crossland's, 1; nothing: crossland_alpha(dang_van_a)
   std::optional<double> fatigue_limit = {}; ///< in torsion, MPa: what Dang Van's stress is compared with
   std::string steel = {};                   ///< whose values these are; "": one's own
+  /// Residual and thermal stress that is there before any wheel. First yield and fatigue feel it. The
+  /// shakedown limit does not: residual stresses of passages make up for it (Melan).
+  std::optional<InitialStress> initial = {};
 
   double crossland() const; ///< its alpha
   bool operator==(const ShakedownProperties&) const = default;

@@ -52,6 +52,8 @@ record::Record properties_record(const ShakedownProperties& properties) {
       {"dang_van_a", Number{properties.dang_van_a, "1", "weight of the hydrostatic stress after Dang Van"}},
       {"crossland_alpha", Number{properties.crossland(), "1", "the same after Crossland"}},
       {"steel", record::Text{properties.steel}},
+      {"initial_stress", record::Text{properties.initial ? properties.initial->name() : "",
+                                      "file of the stress that is there before any wheel"}},
       {"fatigue_limit", Number{properties.fatigue_limit.value_or(std::numeric_limits<double>::quiet_NaN()),
                                "MPa", "in torsion; nan: not given"}}};
 }
