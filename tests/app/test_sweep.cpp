@@ -410,7 +410,7 @@ TEST_F(Sweep, AFailedCaseIsRecordedWithItsReasonAndTheOthersAreSolved) {
                            "[sweep]\nposition.lateral = [0, 300, 1]\n";
   const Outcome r = sweep(text, "--csv '" + (folder_ / "o.csv").string() + "' --model halfspace");
   EXPECT_EQ(r.code, 3) << r.err;
-  EXPECT_THAT(r.out, HasSubstr("2 certified, 1 refused, of 3 cases"));
+  EXPECT_THAT(r.out, HasSubstr("2 of 3 cases are certified; refused: 1."));
   const H5Table table = read_h5(out());
   EXPECT_EQ(table.datasets.at("status").values, (std::vector<double>{1, 3, 1}));
   EXPECT_TRUE(std::isnan(table.datasets.at("Fz").values[1]));
@@ -523,7 +523,7 @@ TEST_F(Sweep, ManyCasesKeepTheirTotals) {
   EXPECT_FALSE(keeps(many));
   const Outcome joined = sweep(many, "--join '" + (folder_ / "p.h5").string() + "'");
   EXPECT_EQ(joined.code, 3);
-  EXPECT_THAT(joined.out, HasSubstr("1 certified, 1000 missing"));
+  EXPECT_THAT(joined.out, HasSubstr("1 of 1001 cases are certified; missing: 1000."));
   EXPECT_THAT(joined.err, HasSubstr("of 1001 cases only the totals are kept"));
 }
 
@@ -652,7 +652,7 @@ TEST_F(Sweep, OfWheelsetsKeepsWhatIsRefused) {
             "grid.dx = 1\ngrid.ds = 1\nwheelset.force = 1e5\n[sweep]\nwheelset.roll_moment = [0, 2e8]\n",
             "--csv '" + (folder_ / "o.csv").string() + "'");
   EXPECT_EQ(r.code, 3) << r.out;
-  EXPECT_THAT(r.out, HasSubstr("1 certified, 1 refused, of 2 cases"));
+  EXPECT_THAT(r.out, HasSubstr("1 of 2 cases are certified; refused: 1."));
   EXPECT_THAT(text_of(folder_ / "o.csv"), HasSubstr("lifts"));
 }
 
