@@ -166,7 +166,7 @@ MeasuredProfile smoothed_profile(const std::string& source, std::span<const Poin
   messages()->info("{}: {}", source, worn_text(worn));
   if (!worn.doubt.empty())
     messages()->warn(
-        "{}: {} does not fit ({}) Name the profile from which it was made, or leave out nominal and give "
+        "{}: {} does not fit ({}). Name the profile from which it was made, or leave out nominal and give "
         "smoothing.",
         source, worn.nominal, worn.doubt);
   MeasuredProfile out{worn.curve, worn.points, noise, worn.longest_wave, worn.removed_rms, worn.removed_most};
@@ -206,7 +206,7 @@ MeasuredProfile parse_measured_profile(std::string_view text, std::string_view s
   if (noise.coarse)
     messages()->warn(
         "{}: {} points, {:.2g} mm apart: too few for a curved profile (arcs of rails and wheels have "
-        "radii down to 13 mm) Give points at most {:g} mm apart.",
+        "radii down to 13 mm). Give points at most {:g} mm apart.",
         source, points.size(), noise.spacing, coarsest_spacing);
   std::vector<Outlier> off = outliers(points, noise.scatter);
   warn_of_outliers(source, off);

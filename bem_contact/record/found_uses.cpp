@@ -61,8 +61,9 @@ std::string range_text(const Record& r, const char* path, const std::string& wor
   const auto least = smallest_of(r, path), most = largest_of(r, path);
   if (!least || !most)
     return "";
-  return fmt::format("{} goes from {} to {}, at {}.", words, text_of(*stated_at(r, path, *least)),
-                     text_of(*stated_at(r, path, *most)), case_text(r, *most));
+  return fmt::format("{} goes from {} to {}; it is largest at {}.", words,
+                     text_of(*stated_at(r, path, *least)), text_of(*stated_at(r, path, *most)),
+                     case_text(r, *most));
 }
 
 /// What the sentences of a sweep tell the range of.

@@ -167,7 +167,7 @@ std::string no_play(const WheelsetPosition& position, const TabulatedProfile& wh
 void warn_of_kilonewtons(const char* key, double force, int wheels, Warnings& warnings) {
   if (force > 0 && force < wheels * least_wheel_load)
     warnings.add(WarningKind::unlikely_value,
-                 fmt::format("{} looks like kN ({:g} N on {}) Give it in N.", key, force,
+                 fmt::format("{} looks like kN ({:g} N on {}). Give it in N.", key, force,
                              wheels == 1 ? "a wheel" : "an axle"),
                  key);
 }

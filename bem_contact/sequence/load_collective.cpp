@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/sequence/uncertified.hpp"
 
 #include <fmt/format.h>
 
@@ -12,8 +13,10 @@ SceneResult solve_of_collective(Sequence& sequence, const SweepFile& sweep, std:
                                 const std::atomic<bool>* stop) {
   SceneResult result = sequence.solve(sweep.scene(index), stop);
   if (!certified(result))
-    throw ConvergenceError(fmt::format("Case {} has no certified result", index), sweep.describe(index),
-                           "Solve it alone to see why.");
+    throw ConvergenceError(fmt::format("Case {} has no certified result", index),
+                           fmt::format("{}{}{}", sweep.describe(index),
+                                       sweep.describe(index).empty() ? "" : ": ", why_not_certified(result)),
+                           "Correct it, or leave it out.");
   return result;
 }
 

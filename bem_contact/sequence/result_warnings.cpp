@@ -76,7 +76,7 @@ void warn_of_creepage(const SceneResult& r, Warnings& out) {
   const double eta = r.result.totals.creepage_s + s / std::max(contact, 1);
   if (std::hypot(xi, eta) > largest_creepage)
     out.add(WarningKind::large_creepage,
-            fmt::format("the creepage is above 10 % (along x {:.3g}, along s {:.3g}) Check motion and "
+            fmt::format("the creepage is above 10 % (along x {:.3g}, along s {:.3g}). Check motion and "
                         "position: creepages are ratios, and 0.001 is usual.",
                         xi, eta));
 }
@@ -113,13 +113,13 @@ void warn_of_large_elements(const SceneResult& r, Warnings& out) {
     if (coarse_x || coarse_s)
       out.add(WarningKind::large_elements,
               fmt::format("the elements are too large for this contact (patch {}: {:.3g} of {:.3g} mm "
-                          "along {}) Give smaller grid.dx and grid.ds.",
+                          "along {}). Give smaller grid.dx and grid.ds.",
                           i + 1, coarse_x ? grid.dx : grid.ds, coarse_x ? x * grid.dx : s * grid.ds,
                           coarse_x ? "x" : "s"));
     else if (grid.mx > 1 && grid.ms > 1 && patch.contact < least_elements_of_patch)
       out.add(WarningKind::large_elements,
               fmt::format("the elements are too large for this contact (patch {} has {}, {} are needed "
-                          "for errors of a few per cent) Give smaller grid.dx and grid.ds.",
+                          "for errors of a few per cent). Give smaller grid.dx and grid.ds.",
                           i + 1, patch.contact, int(least_elements_of_patch)));
   }
 }
@@ -146,13 +146,14 @@ void warn_of_head(const ContactCase& asked, const SceneResult& r, Warnings& out)
   if (rail_end || wheel_end)
     out.add(WarningKind::end_of_profile,
             fmt::format("the contact reaches the end of the {}'s profile ({:.1f} mm below the top of the "
-                        "rail) Give a longer profile, or check position.lateral.",
+                        "rail). Give a longer profile, or check position.lateral.",
                         rail_end ? "rail" : "wheel", deepest - top));
   else if (deepest - top > head_depth)
-    out.add(WarningKind::beyond_head,
-            fmt::format("the contact lies beyond the rail's head ({:.1f} mm below the top of the rail; "
-                        "contact is usual to {:g} mm) Check position.lateral and the frames of the profiles.",
-                        deepest - top, double(head_depth)));
+    out.add(
+        WarningKind::beyond_head,
+        fmt::format("the contact lies beyond the rail's head ({:.1f} mm below the top of the rail; "
+                    "contact is usual to {:g} mm). Check position.lateral and the frames of the profiles.",
+                    deepest - top, double(head_depth)));
 }
 
 /// A jump of friction has no limit as elements shrink: which element slips first decides.
@@ -167,7 +168,7 @@ void warn_of_kinetic_friction(const ContactProblem& problem, Warnings& out) {
 void warn_of_convergence(const ContactResult& r, Warnings& out) {
   if (r.trust.discretisation && !r.trust.discretisation->converges)
     out.add(WarningKind::no_convergence,
-            fmt::format("the pressure does not converge with the size of the elements ({}) {}",
+            fmt::format("the pressure does not converge with the size of the elements ({}). {}",
                         why_not_convergent(r),
                         r.trust.discretisation->rough
                             ? "Smooth the profiles (rail.smoothing, wheel.smoothing)."
@@ -223,7 +224,7 @@ void warn_of_lateral(const SceneFile& asked, std::optional<double> at_start, Sce
           WarningKind::unsure_position,
           fmt::format(
               "load.force_y says little of the lateral displacement (Fy changes by {:.3g} N per mm at "
-              "{:.2f} mm, and its error is not known) Give position.lateral without load.force_y, or "
+              "{:.2f} mm, and its error is not known). Give position.lateral without load.force_y, or "
               "smaller elements.",
               found.slope, found.lateral.value));
     return;
@@ -233,16 +234,17 @@ void warn_of_lateral(const SceneFile& asked, std::optional<double> at_start, Sce
   const double force_error = out.result.totals.Fy.error;
   out.warnings.add(
       WarningKind::unsure_position,
-      fmt::format("load.force_y says little of the lateral displacement (Fy is known to {:.2g} N and changes "
-                  "by {:.3g} N per "
-                  "mm: {:.2f} +- {:.2g} mm) Give position.lateral without load.force_y, or smaller elements.",
-                  force_error, found.slope, found.lateral.value, found.lateral.error));
+      fmt::format(
+          "load.force_y says little of the lateral displacement (Fy is known to {:.2g} N and changes "
+          "by {:.3g} N per "
+          "mm: {:.2f} +- {:.2g} mm). Give position.lateral without load.force_y, or smaller elements.",
+          force_error, found.slope, found.lateral.value, found.lateral.error));
   const double start = asked.position.lateral;
   if (at_start && std::abs(*at_start - *asked.load.force_y) <= force_error &&
       std::abs(start - found.lateral) > found.lateral.error)
     out.warnings.add(WarningKind::other_position,
                      fmt::format("position.lateral bears load.force_y within its error, too (Fy {:.6g} N at "
-                                 "{:.2f} mm) Solve it without load.force_y if it is meant.",
+                                 "{:.2f} mm). Solve it without load.force_y if it is meant.",
                                  *at_start, start));
 }
 

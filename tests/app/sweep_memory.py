@@ -73,7 +73,7 @@ class Memory(unittest.TestCase):
                     write_part(folder / "solved.h5", parts / f"{first}.h5", first, min(size, first + length))
                 memory, code, said = memory_of("sweep", scene, "--join", parts, "-o", output, "--csv", folder / "s.csv")
                 self.assertEqual(code, 0, said)
-                self.assertIn(f"{size} certified, of {size} cases", said)
+                self.assertIn(f"{size} of {size} cases are certified", said)
                 of_join.append(memory)
                 with h5py.File(folder / "solved.h5") as old, h5py.File(output) as new:
                     self.assertEqual(new["Fx"].shape, (size,))

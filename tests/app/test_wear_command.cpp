@@ -333,6 +333,18 @@ TEST_F(WearCommand, RefusesWhatHasNoProfiles) {
   EXPECT_THAT(refused.err, HasSubstr("This scene cannot wear (it has no profiles)"));
 }
 
+/// A scene whose steps are no solutions, and a sweep of one: the message says why.
+TEST_F(WearCommand, FatigueSaysWhyACaseHasNoCertifiedResult) {
+  write("steps.toml",
+        "kind = \"patch\"\n[load]\nforce = 200\nforce_x = 30\n[motion]\nkind = \"transient\"\nsteps = 5\n"
+        "friction = 0.3\n[grid]\ndx = 0.5\nds = 0.6\nmx = 24\nms = 20\n[gap]\na = 1e-3\nb = 1e-3\n"
+        "[rail.material]\nshear_modulus = 800\npoisson = 0\n[solver]\nmax_outer = 3\n");
+  const Outcome refused = run("fatigue " + path("steps.toml"));
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("Case 0 has no certified result (step "));
+  EXPECT_THAT(refused.err, HasSubstr("is not a solution: its worst violation is"));
+}
+
 TEST_F(WearCommand, FatigueHasALineForEachPatch) {
   write("scene.toml", scene);
   const Outcome done = run("fatigue " + path("scene.toml") + " --csv " + path("f.csv"));

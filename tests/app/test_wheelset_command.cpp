@@ -60,7 +60,7 @@ TEST_F(WheelsetCommand, AForceInKilonewtonsIsSaid) {
   for (const char* command : {"check", "wheelset"}) {
     const std::string small = write("small.toml", text + "200\n").string();
     const Outcome r = run(std::string(command) + " '" + small + "'");
-    EXPECT_THAT(r.out + r.err, HasSubstr("wheelset.force looks like kN (200 N on an axle) Give it in N."));
+    EXPECT_THAT(r.out + r.err, HasSubstr("wheelset.force looks like kN (200 N on an axle). Give it in N."));
   }
   EXPECT_THAT(run("check '" + write("usual.toml", text + "2e5\n").string() + "'").out,
               ::testing::Not(HasSubstr("kN")));

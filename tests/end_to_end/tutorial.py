@@ -105,7 +105,7 @@ class Tutorial(unittest.TestCase):
         for model in ("fem", "halfspace"):
             done = subprocess.run([programs.BIN / "bem_contact", "sweep", "sweep.toml", "--model", model, "-o", f"{model}.h5",
                                    "--csv", f"{model}.csv"], cwd=self.folder, check=True, stdout=subprocess.PIPE, text=True)
-            self.assertIn("9 certified, of 9 cases", done.stdout)
+            self.assertIn("9 of 9 cases are certified", done.stdout)
 
     def test_every_table(self):
         self.write_noise()

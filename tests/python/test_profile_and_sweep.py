@@ -145,6 +145,29 @@ class Sweep(unittest.TestCase):
         with mock.patch.dict(sys.modules, pandas=None), self.assertRaisesRegex(bem_contact.InputError, "no module pandas.* python3-pandas"):
             found.to_frame()
 
+    def test_parquet_has_the_same_columns(self):
+        """What pyarrow is handed, where it is not installed; what it reads again, where it is."""
+        found = bem_contact.sweep(SCENES / "cases_two_areas.toml")
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "cases.parquet"
+            for rows, columns in (("cases", {name: column for name, column in found.items() if name != "patches"}), ("patches", found["patches"])):
+                try:
+                    import pyarrow.parquet
+                except ModuleNotFoundError:
+                    write = mock.Mock()
+                    parquet = SimpleNamespace(write_table=write)
+                    with mock.patch.dict(sys.modules, {"pyarrow": SimpleNamespace(table=dict, parquet=parquet), "pyarrow.parquet": parquet}):
+                        found.to_parquet(file, rows)
+                    written = write.call_args.args[0]
+                else:
+                    found.to_parquet(file, rows)
+                    written = pyarrow.parquet.read_table(file).to_pydict()
+                self.assertEqual(set(written), set(columns))
+                for name, column in columns.items():
+                    np.testing.assert_array_equal(written[name], column, name)
+        with mock.patch.dict(sys.modules, pyarrow=None), self.assertRaisesRegex(bem_contact.InputError, "no module pyarrow.* pip install pyarrow"):
+            found.to_parquet("never.parquet")
+
     def test_a_case_that_is_refused_has_no_numbers(self):
         scene = {"kind": "patch", "load.force": 1e4, "grid": {"dx": 0.5, "ds": 0.5, "mx": 24, "ms": 24}, "gap": {"a": 1e-3, "b": 1e-3},
                  "motion.frictionless": True}

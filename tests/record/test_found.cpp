@@ -113,12 +113,10 @@ TEST(Found, SweepsSayWhereTheLargestIs) {
                      {"pmax", field({900, 1400, not_known}, "MPa", "")},
                      {"pmax_error", field({9, 14, not_known}, "MPa", "")},
                      {"status", field({1, 1, 3}, "1", "")}};
-  EXPECT_THAT(
-      found_in(sweep).sentences,
-      ElementsAre(
-          "2 of 3 cases are certified; refused: 1.",
-          "The largest pressure goes from 900.0 +- 9.0 MPa to 1400 +- 14 MPa, at position.lateral 2.5 "
-          "mm (case 1)."));
+  EXPECT_THAT(found_in(sweep).sentences, ElementsAre("2 of 3 cases are certified; refused: 1.",
+                                                     "The largest pressure goes from 900.0 +- 9.0 MPa to "
+                                                     "1400 +- 14 MPa; it is largest at position.lateral 2.5 "
+                                                     "mm (case 1)."));
 }
 
 TEST(Found, StudiesTakeTheFirstSentencesOfTheirPartsAndBeginWithWhatFailed) {

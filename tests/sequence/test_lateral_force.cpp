@@ -223,6 +223,25 @@ TEST(PrescribedLateralForce, WhereRoughForcesMisleadTheOtherSideIsLookedAt) {
   EXPECT_NEAR(found.motion.found_lateral->lateral, 6.497, 2e-3);
 }
 
+/// On a worn tread rough forces miss the model's by some thousandths: a force beyond their range is looked
+/// for.
+TEST(PrescribedLateralForce, AForceJustBelowTheRoughRangeIsFound) {
+  const std::string rail = CONFORMAL_SOURCE_DIR "/data/bodies/worn_rail.txt";
+  const auto solved = [&](const std::string& more) {
+    return Sequence().solve(parse_scene_file(
+        "rail.nominal = '60E1'\nwheel.profile = 'S1002'\nposition.rail_inclination = 0.05\n"
+        "position.yaw = -0.0023063747156064135\nposition.roll = 0.0023984490507925945\n"
+        "load.force = 19446.37674428483\nmotion.friction = 0.25988625637401036\nmotion.free_rolling = false\n"
+        "motion.xi = -9.825598643268835e-05\nsolver.model = 'halfspace'\ngrid = { dx = 0.6, ds = 0.4 }\n"
+        "rail.profile = '" +
+        rail + "'\n" + more));
+  };
+  const double force = solved("position.lateral = -3.724526\n").result.totals.Fy;
+  const SceneResult found =
+      solved(fmt::format("position.lateral = -1.524219\nload.force_y = {:.9g}\n", force));
+  EXPECT_NEAR(found.result.totals.Fy, force, 0.03);
+}
+
 /// From beside the greatest force of the flange, where one rough solution misses the model's by much.
 TEST(PrescribedLateralForce, AForceNearTheGreatestIsFound) {
   const std::string more = "motion.frictionless = true\nposition.rail_inclination = 0.05\n";

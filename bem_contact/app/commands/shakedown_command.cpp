@@ -60,8 +60,8 @@ std::string text_of(const shakedown::Shakedown& found, const shakedown::Shakedow
   std::string out;
   for (std::size_t k = 0; k < found.patches.size(); ++k) {
     const shakedown::PatchShakedown& p = found.patches[k];
-    out += fmt::format("patch {} at s = {:.2f} mm, pmax {:.0f} MPa: {}\n", k + 1, p.s, p.pmax,
-                       in_words(p, properties));
+    const std::string words = found.patches.size() > 1 ? ": " + in_words(p, properties) : ""; // of one: above
+    out += fmt::format("patch {} at s = {:.2f} mm, pmax {:.0f} MPa{}\n", k + 1, p.s, p.pmax, words);
     out += fmt::format(
         "  Dang Van {:.1f} MPa {:.2f} mm deep (a = {:g}), Crossland {:.1f} MPa {:.2f} mm deep: {}\n",
         p.dang_van.value, p.dang_van.depth, properties.dang_van_a, p.crossland.value, p.crossland.depth,

@@ -4,6 +4,7 @@
 #include "bem_contact/app/output/report.hpp"
 #include "bem_contact/app/output/vtk_file.hpp"
 #include "bem_contact/base/argument_error.hpp"
+#include "bem_contact/base/fixed_text.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/record/error_text.hpp"
@@ -82,13 +83,13 @@ std::string line_of(const WheelQuantity& q, const WheelsetResult& r) {
 
 std::string pose_text(const WheelsetResult& r) {
   const WheelsetPose& pose = r.state.pose;
-  std::string out =
-      fmt::format("Wheelset: lateral {:.4f}{} mm{}, roll {:.4e} rad (right side down), yaw {:g} rad; its "
-                  "centre is {:.4f} mm "
-                  "above the rails\n",
-                  pose.lateral, plus_minus(r.lateral_error),
-                  std::isnan(r.lateral_residual) ? "" : " (found for the lateral force)", pose.roll,
-                  r.state.yaw, r.state.wheel_radius - pose.vertical);
+  std::string out = fmt::format(
+      "Wheelset: lateral {} mm{}, roll {:.4e} rad (right side down), yaw {:g} rad; its "
+      "centre is {:.4f} mm "
+      "above the rails\n",
+      r.lateral_error > 0 ? record::rounded(pose.lateral, r.lateral_error) : fixed_text(pose.lateral, 4),
+      std::isnan(r.lateral_residual) ? "" : " (found for the lateral force)", pose.roll, r.state.yaw,
+      r.state.wheel_radius - pose.vertical);
   if (pose.rolling_radius)
     out +=
         fmt::format("the axle rolls on a radius of {:.3f} mm (found for the torque)\n", *pose.rolling_radius);

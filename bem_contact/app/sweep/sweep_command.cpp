@@ -41,7 +41,7 @@ constexpr const char* sweep_help =
     fields = true           # the default up to 1000 cases; false: keep only the totals of each case
 Example, 64 contacts from tread to flange:
     bem_contact sweep data/scenes/cases_halfspace.toml -o sweep.h5 --csv sweep.csv
-You should see the progress, then `64 certified, of 64 cases`. A sweep of a second or less is solved in one
+You should see the progress, then `64 of 64 cases are certified`. A sweep of a second or less is solved in one
 process. A longer one is shared among processes; if it is stopped, call it again: the folder sweep.h5.parts holds the
 finished cases, and only the others are solved. So is a case whose process died, as when memory ran out.
 
@@ -101,10 +101,9 @@ ExitCode run_part(const PartsRequest& request, SweepFile sweep) {
   solve_part(asked, cases, output_target(request.output, OutputForm::whole_file).file,
              [&] { progress.step(); });
   progress.finish();
-  print_out("{}", sweep_summary(
-                      H5Reader(request.output), cases.size(),
-                      fmt::format("cases {} to {} of {}: ", cases.first, cases.last - 1, asked.sweep.size()))
-                      .text);
+  const SweepSummary summary = sweep_summary(H5Reader(request.output), cases.size());
+  print_out("cases {} to {} of {}: {}{}", cases.first, cases.last - 1, asked.sweep.size(), summary.counts,
+            summary.more);
   return success;
 }
 

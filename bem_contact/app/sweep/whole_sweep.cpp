@@ -94,8 +94,8 @@ ExitCode say_what_was_found(const AskedSweep& asked, const SweepRequest& request
   const H5Reader file(request.output);
   if (!request.csv.empty())
     write_csv(csv_files(request.csv), asked.sweep, asked.columns(), file);
-  const SweepSummary summary = sweep_summary(file, asked.sweep.size(), head);
-  print_out("{}{}", record::found_text(record::read_hdf5_for_found(request.output)), summary.text);
+  const SweepSummary summary = sweep_summary(file, asked.sweep.size());
+  print_out("{}{}{}", head, record::found_text(record::read_hdf5_for_found(request.output)), summary.more);
   return summary.certified ? success : no_convergence;
 }
 

@@ -6,6 +6,7 @@
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/requirements.hpp"
+#include "bem_contact/profile/messages.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 
@@ -78,6 +79,7 @@ void WearInfluence::take_newest(Side& side, wear::KeptInfluence& kept, int step)
     if (!file_exists(file))
       continue;
     const std::filesystem::path profile = folder_ / step_file(side.name, k, "txt");
+    const CollectedMessages unsaid; // of a profile that wear has written
     const ProfileCurve curve = named_profile(std::filesystem::absolute(profile).string(), side.kind, {},
                                              {.profile_z = ProfileZ::down});
     require_profile(InfluenceFile(file).strip(), curve.name(), curve.digest());

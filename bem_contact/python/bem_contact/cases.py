@@ -25,7 +25,7 @@ class Sweep(dict):
 
         Raises InputError where pyarrow is missing.
         """
-        pyarrow = require_module("pyarrow", "There is no file of Parquet")
-        parquet = require_module("pyarrow.parquet", "There is no file of Parquet")
+        pyarrow, parquet = (require_module(name, "There is no file of Parquet", "Debian has no package of it: pip install pyarrow")
+                            for name in ("pyarrow", "pyarrow.parquet"))
         columns = {name: column for name, column in self.items() if name != "patches"} if rows == "cases" else self[rows]
         parquet.write_table(pyarrow.table(columns), file, row_group_size=100_000)

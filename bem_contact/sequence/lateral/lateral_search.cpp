@@ -17,6 +17,9 @@ constexpr double finest = 0.1;
 /// 1. The model's own extremum is found to 2^-17 of its displacement: a second contact makes it a kink,
 /// beside which a force may change by some N in a micrometre.
 constexpr int model_extremum_bits = 18;
+/// 1, of the resultant. A force that lies no farther beyond the range of rough solutions may be the model's:
+/// on worn profiles rough forces are off by some thousandths.
+constexpr double near_range = 0.01;
 
 } // namespace
 
@@ -167,16 +170,20 @@ std::optional<double> LateralSearch::try_extremum(const LateralForce& force, boo
   for (const Point& p : curve_.points())
     if (p.force && !searched(p) && (!nearest || misses(p.sample()) < misses(*nearest)))
       nearest = p.sample();
-  if (!nearest || last)
+  if (!nearest || last) {
     refuse(force);
+    return std::nullopt;
+  }
   if (!curve_.exact_within(nearest->lateral, lateral::unsure)) {
     const std::optional<double> there = try_at(force, nearest->lateral);
     if (there)
       return there;
   }
   // On a tread there are many places with almost the same force: each may have an extremum of its own.
-  if (misses(*nearest) > (searched_.empty() ? lateral::near : lateral::uneven) * question_.resultant)
+  if (misses(*nearest) > (searched_.empty() ? lateral::near : lateral::uneven) * question_.resultant) {
     refuse(force);
+    return std::nullopt;
+  }
   searched_.push_back(nearest->lateral);
   const double sign = nearest->force < question_.wanted ? 1 : -1, about = nearest->lateral;
   double best = -sign * nearest->force;
@@ -193,11 +200,12 @@ std::optional<double> LateralSearch::try_extremum(const LateralForce& force, boo
   return nearest->force;
 }
 
-/// Throws InputError. What can be reached must not depend on what was wanted. So the curve is surveyed where
-/// its force is least and most, and there the model is solved, because on a tread rough forces miss more
-/// than the force changes by.
+/// Throws InputError, or finds out that the model passes the force. What can be reached must not depend on
+/// what was wanted. So the curve is surveyed where its force is least and most, and there the model is
+/// solved, because on a tread rough forces miss more than the force changes by. A force just beyond what
+/// rough solutions reach is looked for wherever they come near to it.
 void LateralSearch::refuse(const LateralForce& force) {
-  const double even = lateral::uneven * question_.resultant;
+  const double even = lateral::uneven * question_.resultant, near = near_range * question_.resultant;
   std::vector<double> tried;
   std::vector<LateralSample> samples;
   const auto look = [&] {
@@ -213,13 +221,18 @@ void LateralSearch::refuse(const LateralForce& force) {
   survey_range();
   for (;;) {
     const auto [least, most] = look();
+    const double wanted = question_.wanted;
+    const double low = wanted < least.force && wanted > least.force - near ? near : even,
+                 high = wanted > most.force && wanted < most.force + near ? near : even;
     const auto next = std::ranges::find_if(samples, [&](const LateralSample& s) {
-      return !curve_.exact(s.lateral) && (s.force <= least.force + even || s.force >= most.force - even);
+      return !curve_.exact(s.lateral) && (s.force <= least.force + low || s.force >= most.force - high);
     });
     if (next == samples.end())
       refuse_lateral_force(question_.wanted, samples);
     tried.push_back(next->lateral);
     try_at(force, next->lateral);
+    if (!crossings().empty())
+      return;
   }
 }
 

@@ -64,7 +64,7 @@ private:
   std::optional<LateralBracket> beside_start(const LateralForce& force);
   std::optional<LateralBracket> bracket(const LateralForce& force, const Crossing& crossing, double within);
   std::optional<double> try_extremum(const LateralForce& force, bool last);
-  [[noreturn]] void refuse(const LateralForce& force);
+  void refuse(const LateralForce& force);
   std::optional<double> try_at(const LateralForce& force, double lateral);
 
   Question question_;

@@ -240,6 +240,16 @@ std::vector<double> values_of(const CreepRange& range, double middle, const Cree
   return values;
 }
 
+/// The scene's creepages less those of the rigid slip: nothing moves over the other.
+Creepages at_rest(const Creepages& asked, const SceneResult& solution) {
+  const Creepages rigid = rigid_creepages(solution);
+  Creepages out{};
+  for (const CreepKind kind : kinds)
+    out[index(kind)] = asked[index(kind)] - rigid[index(kind)];
+  out[0] -= solution.result.totals.creepage_x;
+  return out;
+}
+
 /// Free rolling, as motion.xi counts it; 0 for a patch.
 double free_xi(const SceneResult& first, const HeldContact& held) {
   return held.offset != 0 || !first.motion.free_rolling ? 0 : first.motion.free_rolling->xi.value;
@@ -274,14 +284,10 @@ CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ran
   out.radius = out.linear ? out.linear->c() : std::sqrt(out.solution.result.totals.area / std::numbers::pi);
   const HeldContact held = held_by(scene, out.solution);
   const Creepages scale = saturation(out, scene), asked{scene.motion.xi, scene.motion.eta, scene.motion.phi},
-                  rigid = rigid_creepages(out.solution);
+                  none = at_rest(asked, out.solution);
   const auto part = [&](double share) {
     return Creepages{share * scale[0], share * scale[1], share * scale[2]};
   };
-  Creepages none{};
-  for (const CreepKind kind : kinds)
-    none[index(kind)] = asked[index(kind)] - rigid[index(kind)];
-  none[0] -= out.solution.result.totals.creepage_x;
   std::vector<Creepages> points;
   add_difference_points(points, asked, part(sensitivity_step));
   add_difference_points(points, none, part(slope_step));

@@ -207,7 +207,7 @@ void require_within(CaseRange range, std::span<const double> values, const std::
                        "Copy it again from where it was whole, or make it again.");
 }
 
-SweepSummary sweep_summary(const H5Reader& file, std::size_t cases, const std::string& head) {
+SweepSummary sweep_summary(const H5Reader& file, std::size_t cases) {
   std::map<std::string_view, std::size_t> counts;
   std::size_t warned = 0;
   Times times;
@@ -226,15 +226,16 @@ SweepSummary sweep_summary(const H5Reader& file, std::size_t cases, const std::s
     }
   }
 
-  SweepSummary out{head, counts[name_of(record::Outcome::certified)] == cases};
+  SweepSummary out{"", "", counts[name_of(record::Outcome::certified)] == cases};
   for (const auto& [name, number] : counts)
     if (number > 0)
-      out.text += fmt::format("{} {}, ", number, name);
-  out.text += fmt::format("of {}\n", counted(cases, "case", "cases"));
+      out.counts += fmt::format("{} {}, ", number, name);
+  out.counts += fmt::format("of {}\n", counted(cases, "case", "cases"));
   if (warned > 0)
-    out.text += fmt::format("{} of them have warnings (column warning_count; reason says which)\n", warned);
+    out.more = fmt::format("{} warnings (column warning_count; reason says which)\n",
+                           counted(warned, "case has", "cases have"));
   if (times.count() > 0)
-    out.text += fmt::format("CPU seconds a case: median {:.3g}, 99 % below {:.3g}, largest {:.3g}\n",
+    out.more += fmt::format("CPU seconds a case: median {:.3g}, 99 % below {:.3g}, largest {:.3g}\n",
                             times.quantile(0.5), times.quantile(0.99), times.quantile(1));
   return out;
 }

@@ -51,10 +51,11 @@ void require_within(CaseRange range, std::span<const double> values, const std::
 
 /// What was solved, in how many seconds, what failed.
 struct SweepSummary {
-  std::string text;
+  std::string counts;     ///< "3 certified, 1 refused, of 4 cases", a line
+  std::string more;       ///< lines about warnings and seconds
   bool certified = false; ///< every case
 };
-/// Of a sweep's file, or of one of a part, with so many cases; `head` comes first in the text.
-SweepSummary sweep_summary(const H5Reader& file, std::size_t cases, const std::string& head);
+/// Of a sweep's file, or of one of a part, with so many cases.
+SweepSummary sweep_summary(const H5Reader& file, std::size_t cases);
 
 } // namespace bem_contact

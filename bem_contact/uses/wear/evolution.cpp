@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/requirements.hpp"
+#include "bem_contact/profile/messages.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/sequence.hpp"
@@ -107,6 +108,7 @@ std::shared_ptr<SequenceFiles> read_profiles_of_step(const SceneFile& scene,
   SceneFile worn = scene;
   use_profile(worn.rail, folder / "rail.txt", "");
   use_profile(worn.wheel, folder / "wheel.txt", "");
+  const CollectedMessages unsaid; // nobody can smooth what wear itself has smoothed and written
   auto files = shared_files();
   read_profiles(worn, *files);
   return files;
@@ -115,7 +117,9 @@ std::shared_ptr<SequenceFiles> read_profiles_of_step(const SceneFile& scene,
 std::vector<CaseWear> wear_of_cases(const WornPair& now, std::span<const CollectiveCase> cases,
                                     const EvolutionOptions& options, const std::filesystem::path& folder,
                                     const KeptPair& influence, std::shared_ptr<SequenceFiles> files) {
-  Sequence sequence({.displacements = false, .own_shape = false}, files ? std::move(files) : shared_files());
+  if (!files && !cases.empty())
+    files = read_profiles_of_step(cases.front().scene, folder);
+  Sequence sequence({.displacements = false, .own_shape = false}, std::move(files));
   std::vector<CaseWear> out;
   for (const CollectiveCase& one : cases) {
     SceneFile scene = one.scene;

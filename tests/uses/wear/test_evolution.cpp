@@ -234,4 +234,17 @@ TEST(Evolution, RefusesWhatCannotWear) {
   EXPECT_THAT(message_of(collective(), {.smoothing = std::nan("")}), HasSubstr("smoothing"));
 }
 
+/// Nobody is advised to smooth profiles that wear has written; these scatter by 2 micrometres.
+TEST(Evolution, SaysNothingOfItsOwnProfiles) {
+  const TemporaryFolder own;
+  for (const char* name : {"rail", "wheel"})
+    std::filesystem::copy_file(std::string(CONFORMAL_SOURCE_DIR "/data/bodies/worn_") + name + ".txt",
+                               own.path() / (std::string(name) + ".txt"));
+  SceneFile scene;
+  scene.kind = SceneKind::wheel_rail;
+  testing::internal::CaptureStderr();
+  read_profiles_of_step(scene, own.path());
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 } // namespace

@@ -20,13 +20,13 @@ def refuse(problem, why, what_to_do):
     raise InputError(message.encode(errors="replace").decode())
 
 
-def require_module(name, problem):
-    """The module of that name; without it a refusal names the package of Debian that has it."""
+def require_module(name, problem, advice=None):
+    """The module of that name; without it a refusal says what to do: install the package of Debian that has it."""
     try:
         return importlib.import_module(name)
     except ModuleNotFoundError:
         refuse(problem, f"{sys.executable} has no module {name}",
-               f"Install the Debian package python3-{name}: sudo apt-get install python3-{name}")
+               advice or f"Install the Debian package python3-{name}: sudo apt-get install python3-{name}")
 
 
 def require_modules():
