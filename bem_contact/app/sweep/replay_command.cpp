@@ -26,7 +26,7 @@ what is in its columns, one wheel at a time:
     "1L" = "left"
 Example:
     bem_contact replay data/scenes/replay.csv data/scenes/replay.toml --wheel 1R -o replay.h5 --csv replay.csv
-You should see where the run's own forces differ most from ours, how many steps were solved, and `200 certified, of 200 cases`.
+You should see where the run's own forces differ most from ours, how many steps were solved, and `200 of 200 cases are certified`.
 A step is not solved if it lies between two solved ones within --tolerance stated errors. All cores share the steps; if the
 command is stopped, call it again. More: data/tutorial/replay.md.
 
