@@ -93,7 +93,7 @@ def chapter(page, program, folder, pictures, say, results=None):
                f"1.1 % ([`bem_contact fit`](../data/tutorial/fit.md)). The other {len(data) - 4} bins judge it.")
     page.text(f"""Found: **L = {number(found, 3)} mm3/N**, in 95 of 100 cases between {number(low, 2)} and {number(high, 2)} by a bootstrap of the
         four bins. With it Fx grows at zero creepage {slopes[found]:.2f} times as fast as without: that is this locomotive in service. On clean rigs
-        the slope is 0.9 to 1 of Kalker's (the next chapters). The points begin at {xi.min():.2f} % and do not measure that slope. {band_text(ends, len(moved))} CONTACT's example of this measurement has
+        the slope is 0.9 to 1 of Kalker's (V-Track: Jayasree Krishnan, Yang, Li 2025). The points begin at {xi.min():.2f} % and do not measure that slope. {band_text(ends, len(moved))} CONTACT's example of this measurement has
         L = {number(CITED, 3)} mm3/N (slope {slopes[CITED]:.2f}).""")
     page.picture("validation_eurosprinter.png", "Fx over Fn, measured and computed, over the creepage")
     page.text(f"""Fx / Fn by bins. Edges are the geometric means of {', '.join(number(c) for c in CENTRES)} %; creepage and force are the means of
