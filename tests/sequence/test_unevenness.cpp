@@ -33,7 +33,8 @@ void expect_same(const SceneResult& a, const SceneResult& b, double tolerance) {
     EXPECT_NEAR(number(a, name), number(b, name), tolerance * (1 + std::abs(number(b, name)))) << name;
 }
 
-/// A wave that is too small to be seen is no wave: what uneven bodies go through gives the round wheel.
+/// A wave that is too small to be seen is no wave: what uneven bodies go through gives the round wheel,
+/// shear forces within what the iterations leave.
 TEST(UnevenContact, WithoutDepthIsThatOfARoundWheel) {
   for (const char* model : {"halfspace", "tangent_plane"}) {
     const std::string rolling = fmt::format(
@@ -44,8 +45,8 @@ TEST(UnevenContact, WithoutDepthIsThatOfARoundWheel) {
                       joint = certified_at(rolling + "rail.joint = { dip = 1e-14 }\n");
     expect_same(wave, round, 1e-9);
     expect_same(joint, round, 1e-9);
-    EXPECT_NEAR(number(wave, "Fx"), number(round, "Fx"), 1e-9 * number(round, "Fx"));
-    EXPECT_NEAR(number(joint, "Fx"), number(round, "Fx"), 1e-9 * number(round, "Fx"));
+    EXPECT_NEAR(number(wave, "Fx"), number(round, "Fx"), 1e-7 * number(round, "Fx"));
+    EXPECT_NEAR(number(joint, "Fx"), number(round, "Fx"), 1e-7 * number(round, "Fx"));
   }
 }
 
@@ -66,7 +67,8 @@ TEST(UnevenContact, OnAFlatIsSymmetricAboutItsMiddle) {
   EXPECT_NEAR(middle.result.patches.front().x, 0, 1e-6);
   EXPECT_LT(number(middle, "pmax"), number(round, "pmax"));
   const auto rigid = [](const SceneResult& r) { return number(r, "vertical") - number(r, "approach"); };
-  EXPECT_NEAR(rigid(middle) - rigid(round), 0.9, 1e-7);
+  // The chord is that of the tape circle, and the circle of the contact is smaller or larger by its height.
+  EXPECT_NEAR(rigid(middle) - rigid(round), 0.9, 2e-3);
 }
 
 /// The centre of a wheel on a dip lies lower by the dip, and on its slope the rail is pushed back.
