@@ -20,10 +20,11 @@ const std::string patch_scene =
 const std::string columns = "[replay.columns]\ntime = \"t\"\nload.force = { column = \"Q\", unit = \"kN\" }\n"
                             "motion.xi = { column = \"nu\", unit = \"%\", factor = -1 }\n"
                             "[replay.compare]\nFx = { column = \"T\", unit = \"kN\" }\n";
-/// On elements that are small enough for stated errors.
-const std::string fine_scene =
-    std::string(patch_scene).replace(patch_scene.find("dx"), 33, "dx = 0.25\nds = 0.25\nmx = 32\nms = 32");
-/// Numbers whose error is stated in results of a patch.
+/// A wheel on a rail, whose numbers have stated errors.
+const std::string rail_scene =
+    "rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nposition.rail_inclination = 0.025\n"
+    "load.force = 75000\nmotion.friction = 0.3\nsolver.model = \"halfspace\"\ngrid.accuracy = 0.05\n";
+/// Numbers whose errors are stated there.
 constexpr const char* stated[] = {"Fx", "Fz", "pmax", "area", "T_gamma", "adhesion_share"};
 
 struct Step {
@@ -54,7 +55,7 @@ std::vector<Step> swaying(std::size_t count) {
   std::vector<Step> out(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double phase = 2 * std::numbers::pi * double(i) / double(count);
-    out[i] = {5 + std::sin(phase), -0.1 + 0.08 * std::cos(2 * phase), 0};
+    out[i] = {75 + 5 * std::sin(phase), -0.1 + 0.03 * std::cos(phase), 0};
   }
   return out;
 }
@@ -73,8 +74,8 @@ TEST_F(Replay, StepsThatStandStillAreSolvedOnce) {
 /// Nothing that was not solved is farther from its solution than both stated errors and the tolerance say.
 TEST_F(Replay, WhatLiesBetweenIsWithinItsStatedErrors) {
   const std::vector<Step> steps = swaying(80);
-  EXPECT_EQ(replay(steps, "", fine_scene + columns).code, 0);
-  EXPECT_EQ(replay(steps, "--tolerance 0", fine_scene + columns, "all.h5").code, 0);
+  EXPECT_EQ(replay(steps, "", rail_scene + columns).code, 0);
+  EXPECT_EQ(replay(steps, "--tolerance 0", rail_scene + columns, "all.h5").code, 0);
   const std::vector<double> solved = column("solved"), all = column("solved", "all.h5");
   EXPECT_EQ(std::ranges::count(all, 1.0), 80);
   EXPECT_LT(std::ranges::count(solved, 1.0), 60);
@@ -82,8 +83,11 @@ TEST_F(Replay, WhatLiesBetweenIsWithinItsStatedErrors) {
     const std::vector<double> few = column(name), error = column(std::string(name) + "_error"),
                               every = column(name, "all.h5");
     for (std::size_t i = 0; i < few.size(); ++i)
-      EXPECT_LE(std::abs(few[i] - every[i]), std::max(error[i], 1e-3 * std::abs(every[i])))
-          << name << " at " << i;
+      if (std::isnan(error[i]))
+        EXPECT_EQ(solved[i], 1) << name << " at " << i;
+      else
+        EXPECT_LE(std::abs(few[i] - every[i]), std::max(error[i], 1e-3 * std::abs(every[i])))
+            << name << " at " << i;
   }
 }
 
