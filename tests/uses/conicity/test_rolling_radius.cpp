@@ -147,6 +147,9 @@ TEST(RollingRadius, TakesTheWheelsetOfAScene) {
   const WheelsetOnTrack other = wheelset_of(scene, {.rail = "54E1", .wheel = ""});
   EXPECT_EQ(other.left_rail.name(), "54E1");
   EXPECT_EQ(other.right_rail.name(), "60E1");
+  EXPECT_THROW(wheelset_of(parse_scene_file("rail.profile = '60E1'\nwheel.profile = 'S1002'\nload.force = 1\n"
+                                            "wheel.flat.depth = 0.5\n")),
+               InputError);
   EXPECT_THROW(wheelset_of(parse_scene_file("kind = \"patch\"\nload.force = 1\ngrid.mx = 2\ngrid.ms = 2\n")),
                InputError);
 }

@@ -229,6 +229,9 @@ TEST(Evolution, RefusesWhatCannotWear) {
   cases = collective();
   cases[1].scene.rail.profile = "54E1";
   EXPECT_THAT(message_of(cases), HasSubstr("different bodies"));
+  cases = collective();
+  cases[1].scene.position.uneven.joint.dip = 1;
+  EXPECT_THAT(message_of(cases), HasSubstr("An uneven wheel or rail cannot wear"));
   EXPECT_THAT(message_of(collective(), {.cap = 0}), HasSubstr("depth of a step"));
   EXPECT_THAT(message_of(collective(), {.kept_turn = std::nan("")}), HasSubstr("kept turn"));
   EXPECT_THAT(message_of(collective(), {.smoothing = std::nan("")}), HasSubstr("smoothing"));
