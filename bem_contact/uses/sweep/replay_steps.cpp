@@ -168,7 +168,8 @@ private:
       for (std::size_t k = 0; k < to.size(); ++k)
         to[k] = on_line(from[k], until[k], share);
       for (const auto& [value, error] : judged)
-        to[error] = (1 + tolerance_) * std::max(from[error], until[error]);
+        to[error] =
+            (1 + tolerance_) * (std::isnan(from[error]) ? from[error] : std::max(until[error], from[error]));
     };
     draw(out.summary, one.summary, other.summary, judged_);
     for (const auto& [value, error] : judged_)
