@@ -103,7 +103,9 @@ std::optional<ContactLocus::Point> ContactLocus::point(double s, Point2 position
   Vector3 p = on_circle(position, *m);
   if (roller_)
     p = roller_->unrolled(p);
-  return Point{s, m->uneven ? m->uneven->x : p[0], {p[1], p[2]}};
+  if (m->uneven)
+    return Point{s, m->uneven->x, {p[1], p[2]}, m->uneven->rail_lower};
+  return Point{s, p[0], {p[1], p[2]}};
 }
 
 ContactLocus::Surface ContactLocus::surface(Point2 position, Point2 tangent, const Meridian& m) const {

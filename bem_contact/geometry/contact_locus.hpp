@@ -30,9 +30,10 @@ public:
   explicit ContactLocus(const WheelOnRail& pair);
 
   struct Point {
-    double s = 0;    ///< arc length on the wheel's profile, mm
-    double x = 0;    ///< mm
-    Point2 position; ///< (y, z), mm
+    double s = 0;          ///< arc length on the wheel's profile, mm
+    double x = 0;          ///< mm
+    Point2 position;       ///< (y, z), mm
+    double rail_lower = 0; ///< how much lower than a straight rail an uneven one is under it, mm
   };
   /// Nodes lie in walking order, from the field side to the flange, at most 0.1 mm of s apart. A node that
   /// begins a stretch of its own has `joined` false.

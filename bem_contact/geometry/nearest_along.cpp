@@ -90,6 +90,8 @@ NearestAlong::Place NearestAlong::at(Point2 section, const Vector3& normal) cons
   const double x_from = x_at(from), x_to = x_at(to);
   const double width = std::max(std::abs(x_to - x_from), uneven_step);
   out.x = 0.5 * (x_from + x_to);
+  const double lower = surfaces_.rail(x_at(out.theta));
+  out.rail_lower = lower < UnevenSurfaces::no_rail ? lower : 0;
   out.half = uneven_depth / (0.25 * width * width);
   return out;
 }

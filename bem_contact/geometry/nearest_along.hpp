@@ -19,9 +19,10 @@ public:
 
   /// The place, and the stretch in which the circle is nearly as near.
   struct Place {
-    double theta = 0; ///< angle on the wheel, as in UnevenSurfaces::wheel, rad
-    double x = 0;     ///< middle of the stretch, from the wheelset's centre, mm
-    double half = 0;  ///< 1/mm: a parabola half (x' - x)^2 is as wide as the stretch
+    double theta = 0;      ///< angle on the wheel, as in UnevenSurfaces::wheel, rad
+    double x = 0;          ///< middle of the stretch, from the wheelset's centre, mm
+    double half = 0;       ///< 1/mm: a parabola half (x' - x)^2 is as wide as the stretch
+    double rail_lower = 0; ///< how much lower than a straight rail the rail is at theta, mm
   };
   /// `section`: the point of the profile; `normal`: outward, where even bodies would be nearest.
   Place at(Point2 section, const Vector3& normal) const;

@@ -32,7 +32,7 @@ std::vector<RailSlice> slice_rail(const WheelOnRail& pair, const ContactLocus& l
     const double least = pair.uneven ? 0 : least_slice_curvature / pair.wheel_radius;
     const double half = nearest[i].hit() ? std::max(nearest[i].half, least) : 1.0;
     slices.push_back({rows[i].s, rows[i].delta, std::cos(rows[i].delta), nearest[i].distance, nearest[i].x,
-                      half, rows[i].position});
+                      half, rows[i].position, nearest[i].rail_lower});
   }
   return slices;
 }

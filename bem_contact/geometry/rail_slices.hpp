@@ -15,6 +15,8 @@ struct RailSlice {
   double x = 0;      ///< where it is, mm
   double half = 0;   ///< half the curvature along x, > 0, 1/mm
   Point2 position;   ///< on the rail, track frame, mm
+  /// Where the wheel comes nearest to it, how much lower than a straight rail an uneven one is, mm.
+  double rail_lower = 0;
 
   /// How deep the bodies overlap where they approach by q (along z), mm; < 0: not at all.
   double depth(double q) const { return q * cosine - gap; }

@@ -126,9 +126,13 @@ RigidSlip slip_on_roller(const WheelOnRail& pair, const ReferencePoint& referenc
 
 } // namespace
 
+double radius_at(const WheelFrame& frame, const Vector3& point) {
+  return cross(frame.axle, between(frame.centre, point))[0];
+}
+
 double radius_at(const WheelOnRail& pair, const WheelFrame& frame, double x, Point2 point) {
   if (!pair.roller)
-    return cross(frame.axle, between(frame.centre, pair.in_space(x, point)))[0];
+    return radius_at(frame, pair.in_space(x, point));
   const Vector3 turned = cross(frame.axle, between(frame.centre, pair.roller->in_space(x, point)));
   return Roller::seen(turned, pair.roller->angle(x, point))[0];
 }

@@ -82,6 +82,8 @@ double mean_surface_speed(const WheelOnRail& pair, const ReferencePoint& referen
 double radius_at(const WheelOnRail& pair, double x, Point2 point);
 /// The same with the frame of the pair, where it is known.
 double radius_at(const WheelOnRail& pair, const WheelFrame& frame, double x, Point2 point);
+/// The same of a point in space, on no roller.
+double radius_at(const WheelFrame& frame, const Vector3& point);
 
 /// Returns the rigid shift of a wheel that does not roll, mm: w_x = xi - phi s, w_s = (eta + phi x) cos(delta
 /// - delta of the reference point), xi, eta in mm and phi in rad, s along the tangent there, s and x from

@@ -61,8 +61,10 @@ std::string range_text(const Record& r, const char* path, const std::string& wor
   const auto least = smallest_of(r, path), most = largest_of(r, path);
   if (!least || !most)
     return "";
-  return fmt::format("{} goes from {} to {}; it is largest at {}.", words,
-                     text_of(*stated_at(r, path, *least)), text_of(*stated_at(r, path, *most)),
+  const auto low = *stated_at(r, path, *least), high = *stated_at(r, path, *most);
+  if (low.value == high.value)
+    return fmt::format("{} is {} in all cases.", words, text_of(high));
+  return fmt::format("{} goes from {} to {}; it is largest at {}.", words, text_of(low), text_of(high),
                      case_text(r, *most));
 }
 

@@ -36,7 +36,9 @@ std::optional<ContactCentre> contact_centre(std::span<const RailSlice> slices, c
     sum += share;
     centre.s += share * c.s;
     centre.x += share * c.x;
-    centre.rolling_radius += share * radius_at(pair, frame, c.x, c.position);
+    centre.rolling_radius +=
+        share * (pair.uneven ? radius_at(frame, {c.x, c.position.y, c.position.z + c.rail_lower})
+                             : radius_at(pair, frame, c.x, c.position));
   }
   if (!(sum > 0))
     return std::nullopt;

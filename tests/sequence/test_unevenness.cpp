@@ -90,4 +90,17 @@ TEST(UnevenContact, OverAGapIsCertifiedEverywhere) {
                              along));
 }
 
+/// On both edges of a gap the wheel rolls with the radius of the places that it touches, and not with that of
+/// the middle between them, where no rail is.
+TEST(UnevenContact, OverAGapRollsWithTheRadiusOfBothEdges) {
+  for (const double along : {96.0, 100.0, 104.0}) {
+    const SceneResult r = certified_at(
+        fmt::format("motion = {{ friction = 0.3, xi = 0 }}\nsolver.model = 'halfspace'\nposition.along = {}\n"
+                    "rail.joint = {{ at = 100, gap = 8, step = -0.05, rounding = 5 }}\n",
+                    along));
+    EXPECT_NEAR(r.motion.rolling.radius, r.motion.contact_radius, 0.05) << along;
+    EXPECT_NEAR(r.motion.contact_radius, 460, 0.5) << along;
+  }
+}
+
 } // namespace

@@ -82,16 +82,24 @@ void add_stresses(const SceneFile& scene, SceneResult& out) {
             degrees(turn), 100 * error));
 }
 
-/// SceneResult::contact_radius: radius_at() is linear, so that its mean is that of the mean place.
+/// SceneResult::contact_radius: radius_at() is linear, so that its mean is that of the mean place; but on an
+/// uneven rail.
 double contact_radius(const WheelOnRail& pair, const ContactProblem& problem, const ContactResult& result) {
   double x = 0, pressed = 0;
   Point2 point{};
+  double lower = 0; // an uneven rail
   for (int i = 0; i < problem.grid.size(); ++i) {
+    if (pair.uneven)
+      lower += result.pn[i] * pair.rail_lower(problem.grid.x(i % problem.grid.mx));
     x += result.pn[i] * problem.grid.x(i % problem.grid.mx);
     point = point + result.pn[i] * problem.rows[i / problem.grid.mx].position;
     pressed += result.pn[i];
   }
-  return pressed > 0 ? radius_at(pair, x / pressed, (1 / pressed) * point) : 0;
+  if (!(pressed > 0))
+    return 0;
+  const Point2 mean = (1 / pressed) * point;
+  return pair.uneven ? radius_at(pair.wheel_frame(), {x / pressed, mean.y, mean.z + lower / pressed})
+                     : radius_at(pair, x / pressed, mean);
 }
 
 /// SceneMotion::slope_force, N: on a slope the normal of the rail leans back by it. The slope of an element
