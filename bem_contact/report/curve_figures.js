@@ -145,7 +145,8 @@ const sweepFigure = (data, keys, key, names) => {
     cases.sort((a, b) => over.values[a] - over.values[b]);
     for (const name of names) {
       const of = ofEither(name); // of wheelsets: the colour of the number, dashed for the left wheel
-      const known = name.endsWith("_of_run") ? OF_RUN : FORCES[of] ?? {colour: of === "pmax" ? PRESSURE[1][1] : INK, dash: "solid", mark: "circle"};
+      const known = name.endsWith("_of_run")
+        ? OF_RUN : FORCES[of] ?? {colour: of === "pmax" ? PRESSURE[1][1] : INK, dash: "solid", mark: "circle"};
       const style = of === name ? known : {...known, dash: name.startsWith("left_") ? "dash" : "solid"};
       const pick = column => cases.map(i => column.values[i]);
       const which = of === name ? name : `${name.split("_")[0]} wheel`;

@@ -51,8 +51,8 @@ const variedKeys = () => sweptKeys(data).filter(k => new Set(data[k].values).siz
 const ofWheelsets = () => "right_share" in data;
 const isReplay = () => "solved" in data; // of a vehicle program's run
 const alongTrack = () => variedKeys().includes("position.along") && "vertical" in data;
-const sweepViews = () =>
-  VIEWS[isReplay() ? "replay" : ofWheelsets() ? "sweep of wheelsets" : alongTrack() ? "sweep along the track" : "sweep"];
+const sweepKind = () => ofWheelsets() ? "sweep of wheelsets" : alongTrack() ? "sweep along the track" : "sweep";
+const sweepViews = () => VIEWS[isReplay() ? "replay" : sweepKind()];
 /// Both wheels' columns of a name; itself where both have one.
 const ofWheels = name => name in data ? [name] : [`right_${name}`, `left_${name}`];
 let showCase; // of the sweep that is added

@@ -52,12 +52,12 @@ class NoLocks(unittest.TestCase):
     def test_parts_are_written_and_joined(self):
         for cases in ("0:2", "2:4"):
             self.run_without_locks("sweep", "sweep.toml", "-o", f"{cases[0]}.h5", "--cases", cases)
-        self.assertIn("4 certified", self.run_without_locks("sweep", "sweep.toml", "--join", "0.h5", "2.h5", "-o", "joined.h5", "--csv", "j.csv"))
+        self.assertIn("4 of 4 cases are certified", self.run_without_locks("sweep", "sweep.toml", "--join", "0.h5", "2.h5", "-o", "joined.h5", "--csv", "j.csv"))
 
     def test_a_whole_sweep_warns_and_goes_on(self):
         (self.folder / "whole.h5.parts").mkdir()  # else so few cases are solved in one process, which locks nothing
         said = self.run_without_locks("sweep", "sweep.toml", "-o", "whole.h5", "--jobs", "2")
-        self.assertIn("4 certified", said)
+        self.assertIn("4 of 4 cases are certified", said)
         self.assertIn("cannot be locked", said)
         self.assertIn("complete", self.run_without_locks("sweep", "sweep.toml", "-o", "whole.h5"))
 

@@ -435,7 +435,7 @@ TEST_F(Sweep, PartsJoinedAreTheWhole) {
       "--join '" + (folder_ / "some parts").string() + "' --csv '" + (folder_ / "j.csv").string() + "'";
   Outcome joined = sweep(cases, join);
   EXPECT_EQ(joined.code, 3);
-  EXPECT_THAT(joined.out, HasSubstr("4 missing"));
+  EXPECT_THAT(joined.out, HasSubstr("missing: 4"));
   EXPECT_EQ(read_h5(out()).datasets.at("missing_count").values, std::vector<double>{4});
   // The command that it names solves them.
   const std::size_t at = joined.out.find("bem_contact sweep");

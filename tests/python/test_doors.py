@@ -172,10 +172,11 @@ TABLE = "[table]\nmotion.xi = [1e-3, 2e-3]\n"
 SWEEP = "[sweep]\nmotion.xi = [1e-3, 2e-3]\n"
 REPLAY = "[replay.columns]\nmotion.xi = \"nu\"\n"
 
-# Every command that solves a contact, with a scene that is no solution: the program ends with 3. {0}: the scene, {1}: a name, {2}: a run.
+# Every command that solves a contact, with a scene that is no solution: the program ends with 3. {0}: the scene, {1}: a name, {2}: a run, {3}: measured points.
 SOLVE = {"solve": (SHIFT, ["{0}"]), "compare": (STEADY, ["{0}", "--models", "halfspace,tangent_plane"]), "sweep": (SHIFT + SWEEP, ["{0}", "-o", "{1}.h5"]),
          "creep-curves": (STEADY, ["{0}", "--xi", "-1e-3:1e-3:3"]), "table": (SHIFT + TABLE, ["{0}", "-o", "{1}.h5"]), "fatigue": (SHIFT, ["{0}"]),
-         "shakedown": (SHIFT, ["{0}"]), "replay": (SHIFT + REPLAY, ["{2}", "{0}", "-o", "{1}.h5"]),
+         "shakedown": (SHIFT, ["{0}"]),
+         "fit": (STEADY, ["{0}", "--measured", "{3}", "--parameters", "motion.friction"]), "replay": (SHIFT + REPLAY, ["{2}", "{0}", "-o", "{1}.h5"]),
          "wear": (ON_RAIL + "load.force = 8e4\n", ["{0}"]), "wheelset": (AXLE, ["{0}"]), "study": (SHIFT, ["{0}", "-o", "{1}"])}
 SHOW = {"info", "report", "plot"}  # files of results: Doors has what each says
 ASKED = {"explore": "it serves a page; test_explore and test_answers ask it"}
@@ -190,6 +191,7 @@ class EveryDoor(unittest.TestCase):
         self.folder = Path(self.temporary.name)
         (self.folder / "steps.csv").write_text("load\n" + "0.01\n" * 4 + "-0.01\n")  # the last step is a solution, those before are none
         (self.folder / "run.csv").write_text("nu\n1e-3\n2e-3\n")
+        (self.folder / "points.csv").write_text("xi,Fx\n1e-3,10\n2e-3,15\n")
 
     def tearDown(self):
         self.temporary.cleanup()
@@ -208,7 +210,7 @@ class EveryDoor(unittest.TestCase):
         for command, (text, words) in SOLVE.items():
             with self.subTest(command):
                 scene = self.scene(text)
-                done = self.program(command, *(word.format(scene, self.folder / f"out_{command}", self.folder / "run.csv") for word in words))
+                done = self.program(command, *(word.format(scene, self.folder / f"out_{command}", self.folder / "run.csv", self.folder / "points.csv") for word in words))
                 self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
 
     def of_functions(self):
@@ -221,6 +223,7 @@ class EveryDoor(unittest.TestCase):
                 "compare": lambda: all(r.certified for r in bem_contact.compare(steady, ["halfspace", "tangent_plane"])["at_equal_forces"].values()),
                 "sweep": lambda: "certified" in bem_contact.sweep(swept)["status"],
                 "creep_curves": lambda: bem_contact.creep_curves(steady, xi=[-1e-3, 0, 1e-3])["certified"],
+                "fit": lambda: bem_contact.fit(steady, self.folder / "points.csv", ["motion.friction"])["certified"],
                 "table": lambda: bem_contact.table(tabled) is not None, "fatigue": lambda: bem_contact.fatigue(swept) is not None,
                 "shakedown": lambda: bem_contact.shakedown(bem_contact.solve(of_history)) is not None,
                 "wear": lambda: bem_contact.wear(worn) is not None, "wheelset": lambda: bem_contact.wheelset(axle)["certified"],

@@ -24,7 +24,8 @@ struct Question {
 
 /// A key as the points have it.
 struct FittedKey {
-  std::string key, unit;
+  std::string key;             ///< "layer.compliance"
+  std::string unit;            ///< of its values
   double start = 0, value = 0; ///< first guess; what was found
   double low = 0, high = 0;    ///< ends of the interval of 95 %; nan: no point depends on it
   double standard_error = 0;   ///< the same
@@ -34,7 +35,7 @@ struct FittedKey {
 
 /// The answer.
 struct CurveFit {
-  std::vector<FittedKey> keys;
+  std::vector<FittedKey> keys;     ///< in the order of the question
   std::vector<double> correlation; ///< [key][key], of the estimates
   MeasuredForces measured;         ///< with what is computed at the found values
   CreepCurves curves;              ///< there, with one curve over all points

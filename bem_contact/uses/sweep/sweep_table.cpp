@@ -226,11 +226,13 @@ SweepSummary sweep_summary(const H5Reader& file, std::size_t cases) {
     }
   }
 
-  SweepSummary out{"", "", counts[name_of(record::Outcome::certified)] == cases};
+  const std::string_view certified = name_of(record::Outcome::certified);
+  SweepSummary out{"", "", counts[certified] == cases};
+  out.counts = fmt::format("{} of {} certified", counts[certified], counted(cases, "case is", "cases are"));
   for (const auto& [name, number] : counts)
-    if (number > 0)
-      out.counts += fmt::format("{} {}, ", number, name);
-  out.counts += fmt::format("of {}\n", counted(cases, "case", "cases"));
+    if (number > 0 && name != certified)
+      out.counts += fmt::format("; {}: {}", name, number);
+  out.counts += ".\n";
   if (warned > 0)
     out.more = fmt::format("{} warnings (column warning_count; reason says which)\n",
                            counted(warned, "case has", "cases have"));

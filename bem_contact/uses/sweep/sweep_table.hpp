@@ -51,7 +51,7 @@ void require_within(CaseRange range, std::span<const double> values, const std::
 
 /// What was solved, in how many seconds, what failed.
 struct SweepSummary {
-  std::string counts;     ///< "3 certified, 1 refused, of 4 cases", a line
+  std::string counts;     ///< "3 of 4 cases are certified; refused: 1.", a line
   std::string more;       ///< lines about warnings and seconds
   bool certified = false; ///< every case
 };
