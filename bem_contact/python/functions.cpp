@@ -110,12 +110,12 @@ CreepSolver points_shared_by(const py::object& executor, const SceneText& scene,
   return [=](const HeldContact& held, std::span<const Creepages> points) {
     const Held contact{name_of(held.model),   held.dx,    held.ds, held.lateral,
                        held.layer_compliance, held.offset};
+    const py::tuple text = tuple_of(scene); // one for all tasks
     py::list tasks;
     const std::size_t chunk = chunk_size(points.size());
     for (std::size_t first = 0; first < points.size(); first += chunk) {
       const auto some = points.subspan(first, std::min(chunk, points.size() - first));
-      tasks.append(py::make_tuple(tuple_of(scene), changes, contact,
-                                  std::vector<Creepages>(some.begin(), some.end())));
+      tasks.append(py::make_tuple(text, changes, contact, std::vector<Creepages>(some.begin(), some.end())));
     }
     std::vector<CreepPoint> out;
     for (const py::handle part : run_on(executor, "creep", tasks))

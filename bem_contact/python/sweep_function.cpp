@@ -221,10 +221,10 @@ AllSweepRows solve_sweep_with(const SweepFile& sweep, const SharedSweep& how) {
   const bool files = !how.output.empty();
   if (files)
     make_folder(how.output);
+  const py::tuple text = tuple_of(sweep.text); // one for all tasks: it grows with the cases
   py::list tasks;
   for (const CaseRange& cases : ranges) {
-    const py::tuple task =
-        py::make_tuple(tuple_of(sweep.text), how.changes, how.model, cases.first, cases.last);
+    const py::tuple task = py::make_tuple(text, how.changes, how.model, cases.first, cases.last);
     tasks.append(files ? py::tuple(task + py::make_tuple(how.file(cases))) : task);
   }
   AllSweepRows rows;
