@@ -160,7 +160,8 @@ const creepFigures = () => ["xi", "eta", "phi"].filter(which => data.curves?.[wh
   [`curve-${which}`, `Forces over the ${words(which)}${CREEP_CAPTION}`, creepFigure(data, which)]);
 
 const pressureFigures = () => tablesNamed(data, "pressures").map(key =>
-  [`${key}-figure`, `Pressures over ${data[key].attributes.over}, as measured and as computed.`, pressuresFigure(data[key])]);
+  [`${key}-figure`, `Pressures over ${data[key].attributes.over}, as measured and as computed.`,
+   measuredPressuresFigure(data[key])]);
 const curveFigures = () => [...creepFigures(), ...pressureFigures()];
 
 const CREEP_CURVES = {

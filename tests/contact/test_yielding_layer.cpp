@@ -220,6 +220,7 @@ TEST(YieldingLayer, OneRowInRollingIsTheDenseSolution) {
 }
 
 TEST(YieldingLayer, TransientRollingTendsToSteadyRolling) {
+  NEEDS_NO_SANITIZER();
   for (const double hardening : {0.0, 2e3, -500.0}) {
     ContactProblem problem = scenes::flat(scenes::steel, scenes::steel, 14, 11, 1, 1, 8e-4, 1.2e-3);
     problem.force = 5e4;
