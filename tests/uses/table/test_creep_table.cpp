@@ -54,7 +54,7 @@ TEST_F(CreepTable, SlopesAtZeroAreKalkersCoefficients) {
 /// The interpolation overshoots beside the kink where slip becomes full; friction does not.
 TEST_F(CreepTable, ForcesStayWithinFriction) {
   std::mt19937 random(5);
-  std::uniform_real_distribution<double> creepage(-6e-3, 6e-3), spin(-2e-3, 2e-3);
+  std::uniform_real_distribution<double> creepage(-0.2, 0.2), spin(-0.05, 0.05);
   double largest = 0;
   for (int i = 0; i < 20000; ++i) {
     const TabulatedForces f = at(creepage(random), creepage(random), spin(random));
