@@ -82,6 +82,25 @@ class BogieRunning(unittest.TestCase):
         self.assertGreater(abs(ends[0][0] - 0.5), 0.02)  # it has moved
         np.testing.assert_allclose(ends[1][0], ends[0][0], atol=0.1 * abs(ends[0][0] - 0.5))
 
+    def test_forces_are_smooth_from_tread_to_flange(self):
+        """Where the contact passes to the flange, steps of 0.001 mm have second differences far below the stated error, and slopes
+        do not jump from cell to cell."""
+        lateral = [0, 2, 3, 4, 4.5, 5, 5.25, 5.5, 5.75, 6, 6.25, 6.5]
+        made = bem_contact.table(bogie_running.S1002, {"position.lateral": lateral, "motion.xi": [-1e-3, 0, 1e-3]}, hold=["Fx", "Fy"],
+                                 tolerance=0.05, output=self.folder / "across.h5")
+        table = bem_contact.read_table(self.folder / "across.h5")
+        y = np.arange(0, 6500) * 1e-3
+        found = [table.force([at, 3e-4], ["Fx", "Fy", "Mz"]) for at in y]
+        patches = set(np.round(made["values"]["patch_count"]).ravel())
+        self.assertEqual(patches, {1, 2})
+        for name in ("Fx", "Fy", "Mz"):
+            values = np.array([f["values"][name] for f in found])
+            slopes = np.array([f["derivatives"][name]["position.lateral"] for f in found])
+            stated = found[0]["errors"][name]
+            self.assertLess(abs(np.diff(values, 2)).max(), 1e-3 * stated, name)
+            self.assertLess(abs(np.diff(slopes)).max(), 0.02 * abs(slopes).max(), name)
+            np.testing.assert_allclose(np.diff(values) / 1e-3, (slopes[1:] + slopes[:-1]) / 2, atol=1e-3 * abs(slopes).max())
+
     def test_the_run_is_what_replay_reads(self):
         one, state = bogie_running.at_rest(self.wheel, 2e4, self.parameters, curve=1e7)
         bogie_running.write_run(self.folder / "run.csv", one, [0.0, 0.1], [state, state])

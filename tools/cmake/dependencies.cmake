@@ -23,7 +23,6 @@ pkg_check_modules(CPP_HTTPLIB REQUIRED IMPORTED_TARGET cpp-httplib)
 # process, because nothing is linked with both.
 pkg_check_modules(HDF5_SERIAL REQUIRED IMPORTED_TARGET hdf5-serial)
 pkg_check_modules(ZLIB REQUIRED IMPORTED_TARGET zlib)
-pkg_check_modules(MINIZIP REQUIRED IMPORTED_TARGET minizip) # the archives of `bem_contact fmu`
 
 find_file(TOMLPLUSPLUS_HEADER toml++/toml.h)
 if(NOT TOMLPLUSPLUS_HEADER)

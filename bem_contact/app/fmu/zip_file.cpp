@@ -3,50 +3,96 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 
-#include <algorithm>
+#include <cstdint>
 #include <fmt/format.h>
-#include <minizip/zip.h>
+#include <initializer_list>
+#include <limits>
+#include <ostream>
 #include <zlib.h>
 
 namespace bem_contact::app {
 
 namespace {
 
-/// The first day of the format, so that two runs write the same bytes.
-zip_fileinfo first_day() {
-  zip_fileinfo out{};
-  out.tmz_date.tm_year = 1980;
-  out.tmz_date.tm_mday = 1;
+/// Numbers of the format (PKWARE, APPNOTE.TXT, sections 4.3.7, 4.3.12 and 4.3.16), the lowest byte first.
+struct ZipBytes {
+  std::string text;
+  void add(std::uint64_t number, int bytes) {
+    for (int i = 0; i < bytes; ++i)
+      text += static_cast<char>(number >> (8 * i) & 0xff);
+  }
+  void add2(std::initializer_list<std::uint64_t> numbers) {
+    for (const std::uint64_t number : numbers)
+      add(number, 2);
+  }
+  void add4(std::initializer_list<std::uint64_t> numbers) {
+    for (const std::uint64_t number : numbers)
+      add(number, 4);
+  }
+};
+constexpr std::uint64_t version = 20, utf8_names = 1 << 11, deflated = 8;
+constexpr std::uint64_t midnight = 0,
+                        first_day = (1 << 5) + 1; // 1 January 1980: two runs write the same bytes
+constexpr std::uint64_t file_mark = 0x04034b50, directory_mark = 0x02014b50, end_mark = 0x06054b50;
+
+/// Compressed without zlib's own header, as archives have it.
+std::string deflated_bytes(const std::string& bytes) {
+  constexpr int bare = -15, memory = 8;
+  z_stream stream{};
+  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, bare, memory, Z_DEFAULT_STRATEGY) != Z_OK)
+    throw Error("The archive cannot be written", "zlib has no memory for it", "Free memory.");
+  std::string out(deflateBound(&stream, bytes.size()), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  deflate(&stream, Z_FINISH);
+  out.resize(stream.total_out);
+  deflateEnd(&stream);
   return out;
 }
 
-bool add(zipFile zip, const ZipEntry& entry) {
-  const zip_fileinfo about = first_day();
-  if (zipOpenNewFileInZip(zip, entry.name.c_str(), &about, nullptr, 0, nullptr, 0, nullptr, Z_DEFLATED,
-                          Z_DEFAULT_COMPRESSION) != ZIP_OK)
-    return false;
-  constexpr std::size_t piece = 1 << 20; // lengths are unsigned int there
-  for (std::size_t at = 0; at < entry.bytes.size(); at += piece)
-    if (zipWriteInFileInZip(zip, entry.bytes.data() + at,
-                            static_cast<unsigned>(std::min(piece, entry.bytes.size() - at))) != ZIP_OK)
-      return false;
-  return zipCloseFileInZip(zip) == ZIP_OK;
+std::string archive_of(const std::vector<ZipEntry>& entries) {
+  ZipBytes files, directory;
+  for (const ZipEntry& entry : entries) {
+    const std::string packed = deflated_bytes(entry.bytes);
+    const auto crc =
+        crc32(0, reinterpret_cast<const Bytef*>(entry.bytes.data()), static_cast<uInt>(entry.bytes.size()));
+    const std::uint64_t place = files.text.size();
+    const auto about = [&](ZipBytes& out) {
+      out.add2({version, utf8_names, deflated, midnight, first_day});
+      out.add4({crc, packed.size(), entry.bytes.size()});
+      out.add2({entry.name.size(), 0});
+    };
+    files.add4({file_mark});
+    about(files);
+    files.text += entry.name + packed;
+    directory.add4({directory_mark});
+    directory.add2({version});
+    about(directory);
+    directory.add2({0, 0, 0}); // comment, disk, kind
+    directory.add4({0, place});
+    directory.text += entry.name;
+  }
+  ZipBytes end;
+  end.add4({end_mark});
+  end.add2({0, 0, entries.size(), entries.size()});
+  end.add4({directory.text.size(), files.text.size()});
+  end.add2({0});
+  return files.text + directory.text + end.text;
 }
 
 } // namespace
 
 void write_zip(const std::filesystem::path& file, const std::vector<ZipEntry>& entries) {
-  const WholeFile whole(output_target(file, OutputForm::whole_file).file);
-  zipFile zip = zipOpen64(whole.temporary().c_str(), APPEND_STATUS_CREATE);
-  bool good = zip != nullptr;
+  std::uint64_t size = 0;
   for (const ZipEntry& entry : entries)
-    good = good && add(zip, entry);
-  if (zip && zipClose(zip, nullptr) != ZIP_OK)
-    good = false;
-  if (!good)
-    throw Error(fmt::format("'{}' cannot be written", file.string()), "the archive could not be finished",
-                "See whether the disk is full.");
-  whole.commit();
+    size += entry.bytes.size();
+  if (size > std::numeric_limits<std::int32_t>::max())
+    throw InputError(fmt::format("'{}' cannot be written", file.string()), "an archive holds at most 2 GB",
+                     "Take a smaller table.");
+  const std::string archive = archive_of(entries);
+  write_whole(file, [&](std::ostream& out) { out << archive; });
 }
 
 } // namespace bem_contact::app

@@ -52,8 +52,9 @@ struct TabulatedForces {
   double Fx_error = 0, Fy_error = 0, Mz_error = 0; ///< the same
 };
 
-/// Looks up forces for xi (1), eta (1) and phi (1/mm). Throws InputError if a/b is outside the table
-/// (creepages never are), for a contact that is none, and for a table of a scene.
+/// Looks up forces for xi (1), eta (1) and phi (1/mm); together Fx and Fy are never larger than mu N. Throws
+/// InputError if a/b is outside the table (creepages never are), for a contact that is none, and for a table
+/// of a scene.
 TabulatedForces creep_forces(const ContactTable& table, const CreepContact& contact, double xi, double eta,
                              double phi);
 

@@ -92,7 +92,7 @@ public:
       variables_.push_back(
           {column->name + "_error", column->unit,
            fmt::format("stated error of {}, between the points and by the elements", column->name), "local",
-           0, 0, column->interpolation_error + column->element_error});
+           0, 0, column->error()});
     packed_ = packed_source(table, options.columns);
     token_ = sha256(fmt::format("{}\n{}\n{}", packed_, options.model, options.si));
   }
