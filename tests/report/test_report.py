@@ -456,7 +456,7 @@ class Report(unittest.TestCase):
             show.open(self.pages["wear"])
             show.value("(word => word.after(word.cloneNode(true)))(document.querySelector('#worn-rail svg .xtick text'))")
             show.value("document.getElementById('steps').closest('details')?.setAttribute('open', '')")
-            show.value("document.getElementById('steps').style.width = '900px'")
+            show.value("document.getElementById('steps').style.width = '1500px'")
             self.assertRegex(show.value(LOOK), "worn-rail: '.*' lies on '.*'")
             self.assertIn("steps is wider than the page", show.value(LOOK))
             page = self.folder / "damaged.html"

@@ -23,10 +23,16 @@ pkg_check_modules(CPP_HTTPLIB REQUIRED IMPORTED_TARGET cpp-httplib)
 # process, because nothing is linked with both.
 pkg_check_modules(HDF5_SERIAL REQUIRED IMPORTED_TARGET hdf5-serial)
 pkg_check_modules(ZLIB REQUIRED IMPORTED_TARGET zlib)
+pkg_check_modules(MINIZIP REQUIRED IMPORTED_TARGET minizip) # the archives of `bem_contact fmu`
 
 find_file(TOMLPLUSPLUS_HEADER toml++/toml.h)
 if(NOT TOMLPLUSPLUS_HEADER)
   message(FATAL_ERROR "toml++ was not found (the case files are TOML); run tools/install_packages")
+endif()
+
+find_file(XXHASH_HEADER xxhash.h)
+if(NOT XXHASH_HEADER)
+  message(FATAL_ERROR "xxHash was not found (checksums of influence files) run tools/install_packages")
 endif()
 
 # Debian's Python, with its h5py and NumPy, whatever other is first on the path.

@@ -2,6 +2,7 @@
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/print_answer.hpp"
 #include "bem_contact/app/output/repeat.hpp"
+#include "bem_contact/app/scene_options.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/record/file_kinds.hpp"
@@ -183,7 +184,8 @@ Command add_shakedown(CLI::App& program) {
       ->check(CLI::Range(0.0, 3.0));
   line->add_option("--initial-stress", a.initial_stress,
                    "Residual and thermal stress of the body (CSV: depth, perhaps s, mm; any of "
-                   "xx,ss,nn,xs,xn,sn, MPa)");
+                   "xx,ss,nn,xs,xn,sn, MPa)")
+      ->type_name(file_option);
   line->add_flag(
       "--in-plane", a.in_plane,
       "Without residual shear along the track, which does not build up where traction changes its direction");
