@@ -13,7 +13,8 @@ using namespace bem_contact;
 SceneFile scene(const std::string& more) {
   return parse_scene_file(
       {"rail.profile = '60E1'\nwheel.profile = 'S1002'\nposition.rail_inclination = 0.025\n"
-       "load.force = 10000\ngrid = { dx = 0.6, ds = 0.4 }\n" +
+       "load.force = 10000\n" +
+           std::string(more.find("grid") == std::string::npos ? "grid = { dx = 0.6, ds = 0.4 }\n" : "") +
            more,
        "uneven.toml"});
 }
@@ -69,6 +70,34 @@ TEST(UnevenContact, OnAFlatIsSymmetricAboutItsMiddle) {
   const auto rigid = [](const SceneResult& r) { return number(r, "vertical") - number(r, "approach"); };
   // The chord is that of the tape circle, and the circle of the contact is smaller or larger by its height.
   EXPECT_NEAR(rigid(middle) - rigid(round), 0.9, 2e-3);
+}
+
+/// While the wheel rolls over the rounded edge of its flat the largest pressure changes smoothly: what is
+/// ragged on large elements is gone on smaller ones, and within what those state.
+TEST(UnevenContact, OverTheEdgeOfAFlatIsSmoothOnSmallElements) {
+  const auto pressures = [](const char* grid) {
+    std::vector<Measured> out;
+    for (int along = -24; along <= -8; along += 2)
+      out.push_back(certified_at(fmt::format("grid = {{ {} }}\nmotion.frictionless = true\nsolver.model = "
+                                             "'halfspace'\nposition.along = {}\n"
+                                             "wheel.flat = {{ depth = 0.9, rounding = 10 }}\n",
+                                             grid, along))
+                        .result.totals.pmax);
+    return out;
+  };
+  const auto raggedness = [](const std::vector<Measured>& p) {
+    double most = 0;
+    for (std::size_t i = 1; i + 1 < p.size(); ++i)
+      most = std::max(most, std::abs(p[i - 1] - 2 * p[i] + p[i + 1]));
+    return most;
+  };
+  const std::vector<Measured> large = pressures("dx = 0.8, ds = 0.4"),
+                              small = pressures("dx = 0.4, ds = 0.2"),
+                              smaller = pressures("dx = 0.25, ds = 0.125");
+  EXPECT_GT(raggedness(large), 3 * raggedness(small));
+  EXPECT_LT(raggedness(small), 0.02 * small.front());
+  for (std::size_t i = 0; i < small.size(); ++i)
+    EXPECT_NEAR(small[i], smaller[i], small[i].error) << i;
 }
 
 /// The centre of a wheel on a dip lies lower by the dip, and on its slope the rail is pushed back.
