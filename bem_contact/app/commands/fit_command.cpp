@@ -3,6 +3,7 @@
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/print_answer.hpp"
 #include "bem_contact/app/scene_options.hpp"
+#include "bem_contact/base/comma_separated.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
@@ -92,7 +93,7 @@ void require_points(const FitArguments& arguments) {
 std::vector<std::string> keys_of(const FitArguments& arguments) {
   std::vector<std::string> out;
   for (const std::string& list : arguments.parameters)
-    for (std::string& key : fit::keys_in(list))
+    for (std::string& key : comma_separated(list))
       out.push_back(std::move(key));
   return out;
 }

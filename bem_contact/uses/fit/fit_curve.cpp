@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 #include <iterator>
 #include <ranges>
-#include <sstream>
 
 namespace bem_contact::fit {
 
@@ -326,17 +325,6 @@ double misfit_of(const MeasuredPressures& m) {
   for (std::size_t i = 0; i < m.measured.size(); ++i)
     off.push_back(m.computed[i] - m.measured[i]);
   return root_of_mean_square(off);
-}
-
-std::vector<std::string> keys_in(const std::string& list) {
-  std::vector<std::string> out;
-  std::istringstream words(list);
-  for (std::string word; std::getline(words, word, ',');) {
-    std::erase(word, ' ');
-    if (!word.empty())
-      out.push_back(word);
-  }
-  return out;
 }
 
 CurveFit fit_curve(const Question& question, const std::atomic<bool>* stop) {

@@ -66,9 +66,6 @@ struct CurveFit {
 /// Whether the search ended and all that is shown is certified.
 bool certified(const CurveFit& fit);
 
-/// "layer.compliance, motion.friction" as names of keys.
-std::vector<std::string> keys_in(const std::string& list);
-
 /// Root of the mean square of computed less measured, N, N mm or MPa.
 double misfit_of(const MeasuredForces& forces);
 double misfit_of(const MeasuredPressures& pressures);

@@ -1,3 +1,4 @@
+#include "bem_contact/base/comma_separated.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/uses/fit/fit_curve.hpp"
@@ -42,7 +43,7 @@ MeasuredForces made(const std::vector<double>& creepages, double noise = 0, unsi
 CurveFit fitted(const fit::Measurements& measured, const std::string& keys, const SceneText& text = scene(),
                 const std::string& model = "halfspace") {
   return fit::fit_curve(
-      {.text = text, .changes = {}, .model = model, .measured = measured, .keys = fit::keys_in(keys)});
+      {.text = text, .changes = {}, .model = model, .measured = measured, .keys = comma_separated(keys)});
 }
 
 CurveFit fitted(const MeasuredForces& measured, const std::string& keys, const SceneText& text = scene()) {
