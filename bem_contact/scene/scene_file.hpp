@@ -224,6 +224,7 @@ struct SceneFile {
     std::vector<double> yield_temperatures, yield_shears;
     double hardening = 0; ///< of yield_shear with its plastic slip, MPa/mm; below 0: it softens
 
+    /// Says whether either form of the limit is given.
     bool yields() const { return yield_shear || !yield_shears.empty(); }
     bool operator==(const Layer&) const = default;
   } layer; ///< [layer]

@@ -16,10 +16,10 @@ namespace bem_contact::fit {
 
 /// Everything that was measured on one contact.
 struct Measurements {
-  std::vector<MeasuredForces> forces;
-  std::vector<MeasuredPressures> pressures;
+  std::vector<MeasuredForces> forces;       ///< tables of forces over a creepage
+  std::vector<MeasuredPressures> pressures; ///< tables of pressures over places
 
-  std::size_t points() const;
+  std::size_t points() const; ///< of all tables
 };
 
 /// Adds a table of forces (measured_forces()) or of pressures (measured_pressures()). Throws InputError.

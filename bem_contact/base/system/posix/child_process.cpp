@@ -142,6 +142,7 @@ void ProgramLine::become() const {
 bool run_and_wait(const std::vector<std::string>& words, std::string& why) {
   std::vector<std::string> copies = words;
   std::vector<char*> arguments;
+  arguments.reserve(copies.size() + 1);
   for (std::string& word : copies)
     arguments.push_back(word.data());
   arguments.push_back(nullptr);
