@@ -2,12 +2,12 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/parallel.hpp"
+#include "bem_contact/base/place_in_table.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/sequence/load_collective.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/uses/shakedown/fatigue_limits.hpp"
 #include "bem_contact/uses/shakedown/patch_columns.hpp"
-#include "bem_contact/uses/shakedown/place_in_table.hpp"
 
 #include <algorithm>
 #include <cmath>
