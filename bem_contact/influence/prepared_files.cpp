@@ -1,8 +1,8 @@
 #include "bem_contact/influence/prepared_files.hpp"
 
-#include "bem_contact/base/child_process.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/program.hpp"
 #include "bem_contact/base/schema.hpp"
 #include "bem_contact/base/sha256.hpp"
 

@@ -91,12 +91,13 @@ std::vector<std::string> files_of_table(const SceneText& scene, std::string_view
   try {
     const toml::table root = parse_toml(scene.toml, scene.source);
     if (const toml::table* values = root[table].as_table())
-      for (const auto& [name, node] : *values)
+      for (const auto& [name, node] : *values) {
         if (const toml::array* list = node.as_array())
           for (const toml::node& one : *list)
             take(one);
         else
           take(node);
+      }
   } catch (const toml::parse_error&) { // whoever reads the scene says what is wrong
   }
   return out;
