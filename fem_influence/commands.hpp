@@ -34,7 +34,8 @@ struct StressOptions {
 };
 
 /// `fem_influence BODY.toml MESH.msh --stresses OUT.h5 --result RESULT.h5`: stresses below a contact in the
-/// body, and those of a half-space beside them. Matrices are factorized once for all results. Throws InputError for files or numbers that do not fit.
+/// body, and those of a half-space beside them. Matrices are factorized once for all results. Throws
+/// InputError for files or numbers that do not fit.
 void stress_command(const std::string& body_file, const std::string& mesh, const StressOptions& options);
 
 } // namespace bem_contact::fem
