@@ -1,8 +1,10 @@
 #pragma once
 
-#include "bem_contact/base/loaded_library.hpp"
-
 #include <hdf5.h>
+
+#ifdef CONFORMAL_HDF5_LIBRARY // else HDF5 is linked, and its declarations serve
+
+#include "bem_contact/base/loaded_library.hpp"
 
 /// Private to this room: what it uses of HDF5, in place of the declarations of hdf5.h. With HDF5 come 27
 /// libraries, which read files over networks; they are opened with the first file.
@@ -111,3 +113,5 @@ BEM_CONTACT_HDF5(H5T_STD_U8LE_g)
 #undef BEM_CONTACT_HDF5
 
 } // namespace bem_contact
+
+#endif
