@@ -1,5 +1,6 @@
 #include "bem_contact/python/functions.hpp"
 
+#include "bem_contact/base/comma_separated.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/python/executors.hpp"
 #include "bem_contact/python/record_object.hpp"
@@ -179,7 +180,7 @@ py::dict curves(const py::object& scene, const py::object& changes, const py::ob
 /// One text with commas between, or several.
 std::vector<std::string> keys_of(const py::object& given) {
   if (py::isinstance<py::str>(given))
-    return fit::keys_in(text_of(given, "a key"));
+    return comma_separated(text_of(given, "a key"));
   if (!py::isinstance<py::iterable>(given))
     refuse_type("The parameters cannot be used", std::string(py::str(py::type::of(given))) + " is no list",
                 "Give a list of keys, as [\"layer.compliance\"].");

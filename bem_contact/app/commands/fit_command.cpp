@@ -2,6 +2,7 @@
 #include "bem_contact/app/commands/creep_curves_command.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/print_answer.hpp"
+#include "bem_contact/base/comma_separated.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
@@ -70,7 +71,7 @@ ExitCode run(const FitArguments& arguments) {
                                               .changes = {},
                                               .model = given.model,
                                               .measured = read_measured_forces(arguments.measured),
-                                              .keys = fit::keys_in(arguments.parameters)});
+                                              .keys = comma_separated(arguments.parameters)});
   if (arguments.strict)
     refuse_warnings(found.curves.solution.warnings);
   given.scene = found.scene;

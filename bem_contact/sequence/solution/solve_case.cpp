@@ -179,7 +179,7 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
     out.motion.rolling = rolling_speed(placed->pair, out.motion.reference, asked.setup.motion.creepage);
     out.motion.contact_radius = contact_radius(placed->pair, out.problem, out.result);
     out.motion.lowered = placed->lowered;
-    if (placed->pair.uneven) // 0 where the wheel alone is
+    if (placed->pair.uneven)
       out.motion.slope_force = slope_force(placed->pair, out.problem, out.result);
     out.bodies.rail_geometry = placed->pair.rail.digest();
     out.bodies.wheel_geometry = placed->pair.wheel.digest();

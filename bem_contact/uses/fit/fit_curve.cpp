@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <sstream>
 
 namespace bem_contact::fit {
 
@@ -198,17 +197,6 @@ void add_curves(CurveFit& out, FittedScene& fitted, const Solution& solution, co
 
 bool certified(const CurveFit& fit) {
   return fit.converged && certified(fit.curves) && certified(fit.measured);
-}
-
-std::vector<std::string> keys_in(const std::string& list) {
-  std::vector<std::string> out;
-  std::istringstream words(list);
-  for (std::string word; std::getline(words, word, ',');) {
-    std::erase(word, ' ');
-    if (!word.empty())
-      out.push_back(word);
-  }
-  return out;
 }
 
 CurveFit fit_curve(const Question& question, const std::atomic<bool>* stop) {

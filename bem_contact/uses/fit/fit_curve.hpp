@@ -51,9 +51,6 @@ struct CurveFit {
 /// Whether the search ended and all that is shown is certified.
 bool certified(const CurveFit& fit);
 
-/// "layer.compliance, motion.friction" as names of keys.
-std::vector<std::string> keys_in(const std::string& list);
-
 /// Fits keys to measured forces by least squares, points weighted by one over their scatter where it is
 /// given. The model, the size of the elements and where a wheel stands are those of the first guess
 /// (HeldContact). Throws InputError for keys that no scene has, that are no numbers, have no value or that

@@ -271,9 +271,9 @@ TabulatedForces creep_forces(const ContactTable& table, const CreepContact& cont
   return {std::copysign(contact.bound, xi) * interpolate(fx, weights),
           sign * contact.bound * interpolate(fy, weights),
           sign * contact.bound * radius * interpolate(mz, weights),
-          contact.bound * fx.interpolation_error,
-          contact.bound * fy.interpolation_error,
-          contact.bound * radius * mz.interpolation_error};
+          contact.bound * fx.error(),
+          contact.bound * fy.error(),
+          contact.bound * radius * mz.error()};
 }
 
 } // namespace bem_contact::table

@@ -46,7 +46,7 @@ struct CreepContact {
   double bound = 0;         ///< mu N, N
 };
 
-/// Forces and moment on the rail, and the errors of each that the table states for its interpolation.
+/// Forces and moment on the rail, and the errors of each that the table states (Column::error()).
 struct TabulatedForces {
   double Fx = 0, Fy = 0, Mz = 0;                   ///< N, N, N mm
   double Fx_error = 0, Fy_error = 0, Mz_error = 0; ///< the same

@@ -1,3 +1,4 @@
+#include "bem_contact/base/comma_separated.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/uses/fit/fit_curve.hpp"
 #include "bem_contact/uses/fit/fit_record.hpp"
@@ -39,8 +40,11 @@ MeasuredForces made(const std::vector<double>& creepages, double noise = 0, unsi
 }
 
 CurveFit fitted(const MeasuredForces& measured, const std::string& keys, const SceneText& text = scene()) {
-  return fit::fit_curve(
-      {.text = text, .changes = {}, .model = "halfspace", .measured = measured, .keys = fit::keys_in(keys)});
+  return fit::fit_curve({.text = text,
+                         .changes = {},
+                         .model = "halfspace",
+                         .measured = measured,
+                         .keys = comma_separated(keys)});
 }
 
 const std::vector<double> all_over{1e-4, 2e-4, 4e-4, 6e-4, 9e-4, 1.3e-3, 2e-3, 3e-3, 5e-3};
