@@ -1,100 +1,187 @@
 #include "bem_contact/base/child_process.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/system/windows/handle.hpp"
+#include "bem_contact/base/system/windows/start_program.hpp"
 
 #include <array>
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
-#include <io.h>
-#include <process.h>
+#include <cwchar>
+#include <fmt/format.h>
+#include <map>
+#include <utility>
 #include <windows.h>
 
 namespace bem_contact {
 
 namespace {
 
-/// A process starts with one line, in which a word with spaces is quoted; within quotes, backslashes before a
-/// quote are doubled.
-std::wstring quoted(const std::wstring& word) {
-  if (!word.empty() && word.find_first_of(L" \t\"") == word.npos)
-    return word;
-  std::wstring out = L"\"";
-  std::size_t slashes = 0;
-  for (const wchar_t c : word) {
-    if (c == L'"')
-      out.append(slashes + 1, L'\\');
-    slashes = c == L'\\' ? slashes + 1 : 0;
-    out += c;
-  }
-  return out.append(slashes, L'\\') + L'"';
+namespace fs = std::filesystem;
+using system::Handle;
+
+/// Names of variables have no case there. The block ends with an empty text.
+std::wstring environment_with(const ChildWork& work) {
+  std::map<std::wstring, std::wstring> lines;
+  const auto add = [&](std::wstring_view line) {
+    std::wstring name(line.substr(0, line.find(L'=', 1)));
+    for (wchar_t& letter : name)
+      letter = static_cast<wchar_t>(std::towupper(letter));
+    lines[name] = line;
+  };
+  wchar_t* all = GetEnvironmentStringsW();
+  for (const wchar_t* line = all; line && *line; line += std::wcslen(line) + 1)
+    add(line);
+  FreeEnvironmentStringsW(all);
+  for (const auto& [name, value] : work.variables)
+    add(fs::path(name + "=" + value).native());
+  std::wstring out;
+  for (const auto& [name, line] : lines)
+    out += line + L'\0';
+  return out + L'\0';
 }
 
-/// Starts it and waits. -1: it could not be started, and errno says why.
-std::intptr_t run(const std::vector<std::string>& words) {
-  std::vector<std::wstring> wide;
-  for (const std::string& word : words)
-    wide.push_back(std::filesystem::path(word).native());
-  std::vector<std::wstring> line;
-  for (const std::wstring& word : wide)
-    line.push_back(quoted(word));
-  std::vector<const wchar_t*> pointers;
-  for (const std::wstring& word : line)
-    pointers.push_back(word.c_str());
-  pointers.push_back(nullptr);
-  return _wspawnvp(_P_WAIT, wide.front().c_str(), pointers.data());
+/// Standard streams of a child, which alone it inherits.
+struct Streams {
+  Handle input, output, errors, messages; ///< `messages`: what is read of `errors`
+
+  explicit Streams(const fs::path& text) {
+    SECURITY_ATTRIBUTES inherited{sizeof inherited, nullptr, TRUE};
+    HANDLE from = nullptr, to = nullptr;
+    input.take(CreateFileW(L"NUL", GENERIC_READ, FILE_SHARE_READ | FILE_SHARE_WRITE, &inherited,
+                           OPEN_EXISTING, 0, nullptr));
+    output.take(
+        CreateFileW(text.c_str(), GENERIC_WRITE, FILE_SHARE_READ, &inherited, CREATE_ALWAYS, 0, nullptr));
+    if (output.get() == INVALID_HANDLE_VALUE || !CreatePipe(&from, &to, &inherited, 0))
+      throw Error("No other process can be started", system::last_error(), "Look at the folder's rights.");
+    messages.take(from);
+    errors.take(to);
+    SetHandleInformation(from, HANDLE_FLAG_INHERIT, 0);
+  }
+};
+
+/// Whoever is in it ends when it is closed, also by the end of this process.
+HANDLE new_job() {
+  HANDLE job = CreateJobObjectW(nullptr, nullptr);
+  JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
+  limits.BasicLimitInformation.LimitFlags = JOB_OBJECT_LIMIT_KILL_ON_JOB_CLOSE;
+  SetInformationJobObject(job, JobObjectExtendedLimitInformation, &limits, sizeof limits);
+  return job;
 }
 
 } // namespace
 
-/// There is no copy of a process, which could go on with `work`.
-ChildProcess::ChildProcess(const std::filesystem::path&, const std::function<int()>&) {
-  throw InputError("This is not there on Windows", "it needs child processes of a kind that Windows lacks",
-                   "Use it on Linux, or in WSL2.");
+struct ChildProcess::Started {
+  Handle process, job, messages;
+  std::string why_not;
+};
+
+ChildProcess::ChildProcess(const fs::path& text, const ChildWork& work)
+    : started_(std::make_unique<Started>()) {
+  std::fflush(stdout);
+  Streams streams(text);
+  std::wstring line = system::line_of(work.words), environment = environment_with(work);
+  STARTUPINFOW how{};
+  how.cb = sizeof how;
+  how.dwFlags = STARTF_USESTDHANDLES;
+  how.hStdInput = streams.input.get();
+  how.hStdOutput = streams.output.get();
+  how.hStdError = streams.errors.get();
+  PROCESS_INFORMATION made{};
+  started_->job.take(new_job());
+  if (!CreateProcessW(nullptr, line.data(), nullptr, nullptr, TRUE,
+                      CREATE_SUSPENDED | CREATE_UNICODE_ENVIRONMENT, environment.data(), nullptr, &how,
+                      &made)) {
+    started_->why_not = system::last_error();
+    return;
+  }
+  started_->process.take(made.hProcess);
+  const Handle thread(made.hThread);
+  AssignProcessToJobObject(started_->job.get(), made.hProcess);
+  ResumeThread(thread.get());
+  started_->messages.take(streams.messages.release());
 }
 
-ChildProcess::~ChildProcess() = default;
-
-std::optional<std::string> ChildProcess::next_line(const std::atomic<bool>*, const std::function<void()>&) {
-  return std::nullopt;
+ChildProcess::~ChildProcess() {
+  if (started_->process.get()) {
+    TerminateJobObject(started_->job.get(), 1);
+    WaitForSingleObject(started_->process.get(), INFINITE);
+  }
 }
 
-int ChildProcess::wait(std::string&) {
+const std::string& ChildProcess::why_not_started() const {
+  return started_->why_not;
+}
+
+/// Nobody can wait for such a pipe, so that it is looked into now and then.
+ChildProcess::Read ChildProcess::read_more(int patience) {
+  constexpr int pause = 10; // ms
+  const HANDLE from = started_->messages.get();
+  DWORD there = 0, count = 0;
+  for (int waited = 0; patience >= 0; waited += pause) {
+    if (!PeekNamedPipe(from, nullptr, 0, nullptr, &there, nullptr))
+      return Read::end;
+    if (there > 0)
+      break;
+    if (waited >= patience)
+      return Read::nothing_yet;
+    Sleep(pause);
+  }
+  std::array<char, 4096> bytes{};
+  if (!ReadFile(from, bytes.data(), static_cast<DWORD>(bytes.size()), &count, nullptr) || count == 0)
+    return Read::end;
+  rest_.append(bytes.data(), count);
+  return Read::bytes;
+}
+
+int ChildProcess::wait(std::string& how) {
+  if (!started_->process.get()) {
+    how = "it cannot be started: " + started_->why_not;
+    return -1;
+  }
+  DWORD code = 0;
+  WaitForSingleObject(started_->process.get(), INFINITE);
+  GetExitCodeProcess(started_->process.get(), &code);
+  started_->process.close();
+  constexpr DWORD of_systems = 0xC0000000; // a fault that ends a process, such as 0xC0000005
+  if (code < of_systems)
+    return static_cast<int>(code);
+  how = fmt::format("the system's code {:#x}", code);
   return -1;
 }
 
-ProgramLine::ProgramLine(std::vector<std::string> words) : words_(std::move(words)) {}
-
-/// The other program runs, and this process ends with it.
-void ProgramLine::become() const {
-  if (const std::intptr_t code = run(words_); code != -1)
+void become_program(const std::vector<std::string>& words) {
+  DWORD code = 0;
+  if (system::run(words, GetStdHandle(STD_OUTPUT_HANDLE), code))
     std::_Exit(static_cast<int>(code));
 }
 
 bool run_and_wait(const std::vector<std::string>& words, std::string& why) {
-  const int output = _dup(1);
-  _dup2(2, 1); // what it prints goes to standard error
-  const std::intptr_t code = run(words);
-  why = code == -1 ? std::strerror(errno) : "";
-  _dup2(output, 1);
-  _close(output);
-  return code == 0;
+  DWORD code = 0;
+  const bool started = system::run(words, GetStdHandle(STD_ERROR_HANDLE), code);
+  why = started ? "" : system::last_error();
+  return started && code == 0;
 }
 
-void set_variable(const char* name, const std::filesystem::path& value) {
-  _wputenv_s(std::filesystem::path(name).c_str(), value.c_str());
+void set_variable(const char* name, const fs::path& value) {
+  _wputenv_s(fs::path(name).c_str(), value.c_str());
 }
 
-std::filesystem::path this_program() {
+fs::path this_program() {
   std::array<wchar_t, 32768> name{};
   const DWORD size = GetModuleFileNameW(nullptr, name.data(), static_cast<DWORD>(name.size()));
   return std::wstring(name.data(), size);
 }
 
-std::filesystem::path program_named(std::string_view name) {
-  const std::filesystem::path file = this_program().parent_path() / (std::string(name) + ".exe");
-  std::error_code unknown;
-  return std::filesystem::is_regular_file(file, unknown) ? file : std::filesystem::path();
+fs::path program_named(std::string_view name) {
+  const std::wstring file = fs::path(std::string(name) + ".exe").native();
+  const wchar_t* bin = _wgetenv(L"CONFORMAL_BIN");
+  const wchar_t* path = _wgetenv(L"PATH");
+  std::wstring folders = std::wstring(bin ? bin : L"") + L";" + this_program().parent_path().native() + L";" +
+                         (path ? path : L"");
+  std::array<wchar_t, 32768> found{};
+  const DWORD size = SearchPathW(folders.c_str(), file.c_str(), nullptr, static_cast<DWORD>(found.size()),
+                                 found.data(), nullptr);
+  return size > 0 && size < found.size() ? fs::path(std::wstring(found.data(), size)) : fs::path();
 }
 
 } // namespace bem_contact

@@ -130,6 +130,11 @@ bool is_standard_error(const std::filesystem::path& name) {
   return leads_to(name, GetStdHandle(STD_ERROR_HANDLE));
 }
 
+bool standard_error_is_terminal() {
+  DWORD mode = 0;
+  return GetConsoleMode(GetStdHandle(STD_ERROR_HANDLE), &mode) != 0;
+}
+
 bool stands_for_something_open(const std::filesystem::path&) {
   return false;
 }
