@@ -40,6 +40,10 @@ struct SceneFile {
   std::filesystem::path folder;           ///< not a key: where relative paths start
   std::vector<Warning> unused;            ///< not a key: which keys are given and have no effect, and why
 
+  /// Numbers of the scene with respect to which its result has derivatives (derivative_inputs.hpp); none:
+  /// they are not asked for.
+  std::vector<std::string> derivatives;
+
   /// [rail], [wheel]
   struct Side {
     std::string profile;                ///< standard name or file (wheel_rail)
