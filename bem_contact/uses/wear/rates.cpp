@@ -60,7 +60,7 @@ WearRates rates_of(const SceneResult& result, const Wear& wear, double axle_forc
   if (result.motion.slope_force)
     throw InputError("There is no wear by kilometre of an uneven wheel or rail",
                      "the contact is another at each place",
-                     "Leave out wheel.flat, wheel.polygon and rail.joint.");
+                     "Leave out wheel.flat, wheel.polygon, rail.joint and rail.sections.");
   const double turn = 2 * std::numbers::pi * result.motion.rolling.radius_at(result.motion.xi); // mm
   const double mass = axle_force / (standard_gravity / 1000) / tonne; // t: m/s^2 of mm/s^2
   const double depth = deepest(wear.rail), area = wear.rail.area(), by_mgt = million / mass;
