@@ -19,8 +19,8 @@ double across(const Vector3& a, const Vector3& b) {
 } // namespace
 
 ContactLocus::ContactLocus(const WheelOnRail& pair)
-    : wheel_(pair.wheel), radius_(pair.wheel_radius), frame_(pair.wheel_frame()),
-      down_(pair.seen({0, 0, 1})), roller_(pair.roller) {
+    : wheel_(pair.wheel), radius_(pair.wheel_radius), frame_(pair.wheel_frame()), down_(pair.seen({0, 0, 1})),
+      roller_(pair.roller) {
   if (pair.uneven)
     nearest_.emplace(*pair.uneven, frame_, radius_);
   trace();

@@ -238,8 +238,8 @@ private:
     };
     const double from = std::max(near - slice_width, pair_.rail.s_begin()),
                  to = std::min(near + slice_width, pair_.rail.s_end());
-    const auto [s, least] = boost::math::tools::brent_find_minima(vertical, from, to,
-                                                                  std::numeric_limits<double>::digits / 2);
+    const auto [s, least] =
+        boost::math::tools::brent_find_minima(vertical, from, to, std::numeric_limits<double>::digits / 2);
     const double at = vertical(near) <= least ? near : s;
     const auto [on, row] = row_at(at);
     const Vector3 p = pair_.sections->point(on.x, row);
@@ -277,7 +277,9 @@ std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair, ContactLocus& locus) {
   std::vector<TouchPoint> points;
   for (int step = 1;; ++step) {
     const TouchOnSections sections(pair, locus);
-    points = !pair.sections ? touch_points(pair, locus) : step == 1 ? sections.points() : sections.again(points);
+    points = !pair.sections ? touch_points(pair, locus)
+             : step == 1    ? sections.points()
+                            : sections.again(points);
     if (points.empty())
       throw InputError("The wheel has no touch point on the rail", "the vertical distance has no minimum",
                        "Check the profiles.");

@@ -75,9 +75,9 @@ struct WheelsetPosition {
 /// and the wheel above it with it. So the rail is the same all along x again, and distances along z are what
 /// they are. To first order in the slope of the rail all else is too.
 ///
-/// A rail of sections is looked at in the frame of its SectionedRail, and so are the wheel (wheel_frame()) and
-/// all places on either: the rail is the section there, a prism, with a relief. Poses are those of the track
-/// frame, and the wheel is lowered along the track's z.
+/// A rail of sections is looked at in the frame of its SectionedRail, and so are the wheel (wheel_frame())
+/// and all places on either: the rail is the section there, a prism, with a relief. Poses are those of the
+/// track frame, and the wheel is lowered along the track's z.
 struct WheelOnRail {
   TabulatedProfile rail, wheel;      ///< in their own section frames
   Pose rail_pose, wheel_pose;        ///< wheel_pose is that before the yaw; rail_pose is final
@@ -86,7 +86,7 @@ struct WheelOnRail {
   double centre_y = 0;               ///< the vertical about which it is yawed, mm
   std::optional<Roller> roller = {}; ///< nothing: the rail is straight
   WheelDeviation deviation = {};     ///< in the frame of its side; all but its yaw are in wheel_pose already
-  std::optional<UnevenSurfaces> uneven = {}; ///< nothing: the wheel is round and the rail the same along x
+  std::optional<UnevenSurfaces> uneven = {};  ///< nothing: the wheel is round and the rail the same along x
   std::optional<SectionedRail> sections = {}; ///< nothing: the rail has one section
   double surface_speed = 1; ///< along the rail's surface, over V: above 1 where it rises or falls
   double sinking = 0;       ///< of the wheel as it rolls along the rail of sections, over V
@@ -115,11 +115,10 @@ struct WheelOnRail {
 
 /// Places both. The wheelset's centre is at z = -wheel_radius, so that the wheel may hang above the rail or
 /// cut into it: see lower_to_touch(). `surface`: of a rail of sections, of which `rail` is the one that gauge
-/// and top are taken from; nothing: it has this section alone. It is looked at from where the wheel touches it
-/// first.
-/// Throws InputError where a rail that is placed by its gauge face has none at the given height, where a
-/// roller's axis is not below all of the rail, for unevenness on a roller, and where the wheel stands off the
-/// sections.
+/// and top are taken from; nothing: it has this section alone. It is looked at from where the wheel touches
+/// it first. Throws InputError where a rail that is placed by its gauge face has none at the given height,
+/// where a roller's axis is not below all of the rail, for unevenness on a roller, and where the wheel stands
+/// off the sections.
 WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, TabulatedProfile wheel,
                   const std::shared_ptr<const SectionedSurface>& surface = {});
 

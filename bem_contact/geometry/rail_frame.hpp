@@ -7,7 +7,7 @@ namespace bem_contact {
 /// The track frame, turned about a point so that its x lies along a rail that rises or falls, or runs to the
 /// side, and its y stays level. A place keeps its numbers where nothing is turned.
 struct RailFrame {
-  Vector3 origin{};                                      ///< what is turned about, track frame, mm
+  Vector3 origin{};                                       ///< what is turned about, track frame, mm
   Vector3 along{1, 0, 0}, across{0, 1, 0}, into{0, 0, 1}; ///< its axes, track frame
 
   RailFrame() = default;

@@ -54,8 +54,7 @@ RowOnLocus with_relief(const WheelOnRail& pair, const ContactRow& row, const Row
   const auto before = deep(best - relief_curvature_length), here = deep(best),
              after = deep(best + relief_curvature_length);
   if (before && here && after)
-    out.half +=
-        0.5 * (*before - 2 * *here + *after) / (relief_curvature_length * relief_curvature_length);
+    out.half += 0.5 * (*before - 2 * *here + *after) / (relief_curvature_length * relief_curvature_length);
   return out;
 }
 

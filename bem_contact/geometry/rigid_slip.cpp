@@ -49,8 +49,7 @@ public:
       : frame_(pair.wheel_frame()), centre_(pair.wheelset_centre()), velocity_(pair.seen(creepage.velocity)),
         own_(creepage.wheel_velocity != Vector3{} || creepage.wheel_rates != Vector3{}) {
     const WheelFrame track = pair.wheel_in_track();
-    rotation_ = pair.seen(
-        {creepage.roll * track.forward[0], creepage.roll * track.forward[1], creepage.yaw});
+    rotation_ = pair.seen({creepage.roll * track.forward[0], creepage.roll * track.forward[1], creepage.yaw});
     if (!own_)
       return;
     const double c = std::cos(pair.yaw), s = std::sin(pair.yaw);

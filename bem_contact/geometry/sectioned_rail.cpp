@@ -46,14 +46,14 @@ CurvePiece hermite_piece(Point2 a, Point2 from, Point2 b, Point2 to, double leng
 SectionedRail::SectionedRail(std::shared_ptr<const SectionedSurface> surface, const Pose& pose, double along)
     : surface_(std::move(surface)), pose_(pose), along_(along) {
   if (along < surface_->from() || along > surface_->to())
-    throw InputError(fmt::format("The wheel stands off the rail's sections (position.along is {:g} mm)", along),
-                     fmt::format("they are given from {:g} to {:g} mm", surface_->from(), surface_->to()),
-                     "Give a place between the first and the last section, or more sections.");
+    throw InputError(
+        fmt::format("The wheel stands off the rail's sections (position.along is {:g} mm)", along),
+        fmt::format("they are given from {:g} to {:g} mm", surface_->from(), surface_->to()),
+        "Give a place between the first and the last section, or more sections.");
 }
 
 SectionedRail::Seen SectionedRail::seen(const Place& at, int side) const {
-  const SectionedSurface::Point p =
-      side == 0 ? surface_->at(at.u, at.t) : surface_->beside(at.u, at.t, side);
+  const SectionedSurface::Point p = side == 0 ? surface_->at(at.u, at.t) : surface_->beside(at.u, at.t, side);
   const Turn turn(pose_.angle);
   const Point2 position = pose_.origin + turn(p.position), by_u = turn(p.by_u), by_t = turn(p.by_t);
   return {frame_.seen_point({at.u - along_, position.y, position.z}), frame_.seen({1, by_u.y, by_u.z}),
@@ -116,8 +116,8 @@ ProfileCurve SectionedRail::look_from(const RailFrame& frame) {
   for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
     pieces.push_back(hermite_piece(nodes[k].position, nodes[k].after, nodes[k + 1].position,
                                    nodes[k + 1].before, t_[k + 1] - t_[k]));
-  ProfileCurve out = ProfileCurve::from_pieces(
-      fmt::format("rail at {:.6g} mm", along_ + frame.origin[0]), std::move(pieces));
+  ProfileCurve out = ProfileCurve::from_pieces(fmt::format("rail at {:.6g} mm", along_ + frame.origin[0]),
+                                               std::move(pieces));
   s_ = out.joints();
   return out;
 }

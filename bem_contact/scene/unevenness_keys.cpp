@@ -133,8 +133,8 @@ void check_sections(const SceneFile& f, const Schema& s) {
     for (const double number : section.without)
       if (number != std::round(number) || number < 1 || number > static_cast<double>(lines))
         s.refuse("rail.sections",
-                 fmt::format("section {} is without feature {:g}, and it speaks of {} features", i + 1, number,
-                             lines),
+                 fmt::format("section {} is without feature {:g}, and it speaks of {} features", i + 1,
+                             number, lines),
                  "Number the features from 1, in the order along the profile.");
   }
   for (const auto& [given, key] : {std::pair{f.wheel.flat.given(), "wheel.flat"},
@@ -164,7 +164,8 @@ void add_rail_sections(Schema& s, SceneFile::Side& rail) {
            Schema row("section of a rail");
            row.add("rail.sections.at", section.at, "Place of the section along the track, as position.along",
                    {.unit = "mm", .at_least = -1e7, .at_most = 1e7, .needed = true});
-           row.add("rail.sections.profile", section.profile, "A standard or a profile file", {.needed = true});
+           row.add("rail.sections.profile", section.profile, "A standard or a profile file",
+                   {.needed = true});
            row.add("rail.sections.features", section.features,
                    "Arc lengths on the profile of the lines along which sections are joined, in the same "
                    "order in all; none: found",
@@ -184,12 +185,12 @@ void check_unevenness(const SceneFile& f, const Schema& s) {
   check_polygon(f, s);
   check_joint(f, s);
   check_sections(f, s);
-  const char* uneven = f.wheel.flat.given()      ? "wheel.flat"
-                       : f.wheel.polygon.given() ? "wheel.polygon"
-                       : f.rail.joint.given()    ? "rail.joint"
+  const char* uneven = f.wheel.flat.given()       ? "wheel.flat"
+                       : f.wheel.polygon.given()  ? "wheel.polygon"
+                       : f.rail.joint.given()     ? "rail.joint"
                        : !f.rail.sections.empty() ? "rail.sections"
                        : f.changes_along()        ? "rail.profile"
-                                                 : nullptr;
+                                                  : nullptr;
   if (!uneven)
     return;
   const auto refuse = [&](bool holds, const char* why, const char* what_to_do) {
@@ -197,7 +198,8 @@ void check_unevenness(const SceneFile& f, const Schema& s) {
       s.refuse(uneven, why, what_to_do);
   };
   refuse(f.solver.model == Model::fem || !f.rail.influence.empty() || !f.wheel.influence.empty(),
-         "the influence functions of model \"fem\" are those of a round wheel and of a rail that is the same along "
+         "the influence functions of model \"fem\" are those of a round wheel and of a rail that is the same "
+         "along "
          "the track",
          "Choose solver.model = \"halfspace\" or \"tangent_plane\", and leave out the influence files.");
   refuse(f.rail.roller_radius.has_value(), "on a roller rig wheel and roller are taken as round",

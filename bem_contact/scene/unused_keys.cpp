@@ -111,7 +111,8 @@ std::vector<Cause> causes_of_bodies(const SceneFile& f) {
        "no body's structural compliance is included"},
       {{"position.along"},
        !f.changes_along(),
-       "neither wheel.flat, wheel.polygon, rail.joint nor rail.sections is given: wheel and rail are the same "
+       "neither wheel.flat, wheel.polygon, rail.joint nor rail.sections is given: wheel and rail are the "
+       "same "
        "everywhere"},
       {{"track.superelevation", "track.base"},
        !f.wheelset.force,

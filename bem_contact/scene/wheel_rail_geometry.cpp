@@ -71,9 +71,9 @@ RailInclination inclination_of_rail(const std::string& name, const ProfileCurve&
 
 WheelRailProfiles read_profiles(const SceneFile& scene) {
   std::vector<BodySection> sections = sections_of(scene);
-  const ProfileCurve rail =
-      !sections.empty() ? sections.front().profile
-                        : named_profile(scene.rail.profile, ProfileKind::rail, scene.folder, scene.rail.reading);
+  const ProfileCurve rail = !sections.empty() ? sections.front().profile
+                                              : named_profile(scene.rail.profile, ProfileKind::rail,
+                                                              scene.folder, scene.rail.reading);
   require_roller_for_its_body(scene);
   return {rail, named_profile(scene.wheel.profile, ProfileKind::wheel, scene.folder, scene.wheel.reading),
           inclination_of_rail(scene.rail.profile, rail),

@@ -114,8 +114,8 @@ TEST(RailSections, AStretchThatIsMovedIsTheSame) {
   EXPECT_NEAR(a.touch.front().x, b.touch.front().x, 1e-5);
 }
 
-/// A rail that is bent to a circle along x, by its sections; at the top the wheel lies above it as two circles
-/// do. The fourth power of the distance of sections is that of cubic splines.
+/// A rail that is bent to a circle along x, by its sections; at the top the wheel lies above it as two
+/// circles do. The fourth power of the distance of sections is that of cubic splines.
 TEST(RailSections, OfACircleAlongXConvergeToIt) {
   constexpr double circle = 500, radius = 460;
   const ProfileCurve arc = shapes::rail_arc(300, 0.1);
@@ -134,7 +134,9 @@ TEST(RailSections, OfACircleAlongXConvergeToIt) {
     at.touch = lower_to_touch(at.pair);
     const CurvePoint top = at.pair.rail_at(at.touch.front().rail_s);
     const std::vector<ContactRow> rows{{top.s, top.position, top.delta}};
-    const std::vector<double> x{-8, -5, -2, 0, 3, 6, 9};
+    std::vector<double> x; // at the same places between the sections
+    for (const double share : {-0.45, -0.3, -0.1, 0.0, 0.15, 0.25, 0.4})
+      x.push_back(share * spacing);
     const ContactLocus locus(at.pair);
     const std::vector<double> gap = undeformed_distance(at.pair, rows_on_locus(locus, rows), rows, x);
     double worst = 0;
@@ -155,7 +157,8 @@ TEST(RailSections, OfACircleAlongXConvergeToIt) {
 struct Nearest {
   double distance = std::numeric_limits<double>::infinity(), x = 0, y = 0;
 };
-template <class Height> Nearest nearest_by_brute_force(const WheelFrame& frame, double radius, const Height& height) {
+template <class Height>
+Nearest nearest_by_brute_force(const WheelFrame& frame, double radius, const Height& height) {
   Nearest best;
   double s_at = 0, theta_at = 0;
   const auto look = [&](double s_from, double s_to, double s_step, double from, double to, double step) {
@@ -197,10 +200,13 @@ TEST(RailSections, ARisingNoseIsTouchedWhereBruteForceTouchesIt) {
     EXPECT_NEAR(at.pair.wheel_pose.origin.z - even.wheel_pose.origin.z, direct.distance, 1e-4);
     EXPECT_LT(at.pair.wheel_pose.origin.z - even.wheel_pose.origin.z, direct.distance + 1e-7);
     const TouchPoint& touch = at.touch.front();
-    const Vector3 place = at.pair.sections->frame().point_in_track({touch.x, touch.position.y, touch.position.z});
+    const Vector3 place =
+        at.pair.sections->frame().point_in_track({touch.x, touch.position.y, touch.position.z});
     EXPECT_NEAR(place[0], direct.x, 0.02);
     EXPECT_NEAR(place[1], direct.y, 0.02);
-    EXPECT_NEAR(place[0], 460 * 0.1 / std::sqrt(1.01), 1.0);
+    if (yaw == 0) {
+      EXPECT_NEAR(place[0], 460 * 0.1 / std::sqrt(1.01), 1.0);
+    }
     EXPECT_NEAR(at.pair.sections->frame().rise(), rise, 1e-2); // the place is inclined a little
     EXPECT_NEAR(at.pair.sinking, rise, 1e-6);
   }
@@ -220,7 +226,7 @@ TEST(RailSections, AWheelRollsUpANoseWithoutSlip) {
   EXPECT_NEAR(rigid_slip(at.pair, reference, {}, row, x).x[0], 0, 1e-9);
   EXPECT_NEAR(at.pair.surface_speed, std::sqrt(1.01), 1e-4);
   // With the radius of the level track the wheel is too slow for the ramp, and brakes.
-  const double level = 460 + s1002().at(touch.wheel_s).position.z;
+  const double level = radius_at(at.pair, touch.x, p.position) * at.pair.surface_speed;
   EXPECT_NEAR(rigid_slip(at.pair, reference, {.rolling_radius = level}, row, x).x[0],
               1 - 1 / at.pair.surface_speed, 1e-5);
 }
@@ -370,7 +376,8 @@ TEST(SlicesFile, IsReadWithItsOptions) {
     return std::string("nothing");
   };
   EXPECT_THAT(refused(" 0 1\n2\n0\n2\n" + places), AllOf(HasSubstr("rail.slcs:4"), HasSubstr("smoothing")));
-  EXPECT_THAT(refused(" 0 1\n2\n0\n1 1\n" + places), AllOf(HasSubstr("rail.slcs:4"), HasSubstr("perturbations")));
+  EXPECT_THAT(refused(" 0 1\n2\n0\n1 1\n" + places),
+              AllOf(HasSubstr("rail.slcs:4"), HasSubstr("perturbations")));
   EXPECT_THAT(refused(" 0 1\n2\n0\n1\n 5 'a.txt'\n 4 'b.txt'\n"),
               AllOf(HasSubstr("rail.slcs:6"), HasSubstr("at 4 mm")));
   EXPECT_THAT(refused(" 0 1\n3\n0\n1\n 5 'a.txt'\n"), HasSubstr("ends too early"));

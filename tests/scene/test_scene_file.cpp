@@ -261,8 +261,9 @@ TEST(SceneFile, uneven_wheels_and_rails) {
 
 TEST(SceneFile, rails_of_sections) {
   const std::string own = "wheel.profile = 'S1002'\nload.force = 1e5\n",
-                    two = own + "rail.sections = [ { at = 0, profile = '60E1' }, { at = 90, profile = '54E1', "
-                                "features = [1, 2], without = [2] } ]\n";
+                    two = own +
+                          "rail.sections = [ { at = 0, profile = '60E1' }, { at = 90, profile = '54E1', "
+                          "features = [1, 2], without = [2] } ]\n";
   const SceneFile f = parse_scene_file(two + "position.along = 12\n");
   ASSERT_EQ(f.rail.sections.size(), 2u);
   EXPECT_EQ(f.rail.sections[1].at, 90);
@@ -275,7 +276,8 @@ TEST(SceneFile, rails_of_sections) {
   EXPECT_THAT(refusal(two + "wheel.flat.length = 40\n"), HasSubstr("wheel.flat is given too"));
   EXPECT_THAT(refusal(two + "rail.roller_radius = 500\n"),
               AllOf(HasSubstr("rail.sections ("), HasSubstr("on a roller rig")));
-  EXPECT_THAT(refusal(two + "motion = { kind = 'transient', steps = 3 }\n"), HasSubstr("sweep position.along"));
+  EXPECT_THAT(refusal(two + "motion = { kind = 'transient', steps = 3 }\n"),
+              HasSubstr("sweep position.along"));
   EXPECT_THAT(refusal(two + "wheel.influence = 'b.h5'\n"), HasSubstr("the same along the track"));
   EXPECT_THAT(refusal(two + "solver.model = 'simplified'\n"), HasSubstr("simplified theory"));
   EXPECT_THAT(refusal(own + "rail.sections = [ { at = 0, profile = '60E1', without = [3] } ]\n"),

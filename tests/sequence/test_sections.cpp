@@ -37,8 +37,9 @@ double number(const SceneResult& r, const char* name) {
   return quantity(name).value(r);
 }
 
-const char* const nose = "position.along = 300\n"
-                         "rail.sections = [ { at = 0, profile = 'a.txt' }, { at = 1000, profile = 'b.txt' } ]\n";
+const char* const nose =
+    "position.along = 300\n"
+    "rail.sections = [ { at = 0, profile = 'a.txt' }, { at = 1000, profile = 'b.txt' } ]\n";
 
 /// Sections that are all equal are the profile, yawed and with friction too: then within what the iterations
 /// leave.
@@ -52,8 +53,8 @@ TEST(ContactOnSections, ThatAreEqualIsThatOfTheProfile) {
                        along, model, motion, rail),
            "equal.toml"}));
     };
-    for (const auto& [motion, tolerance] :
-         {std::pair{"frictionless = true", 1e-9}, {"friction = 0.3, xi = 5e-4, rolling_radius = 460", 1e-7}}) {
+    for (const auto& [motion, tolerance] : {std::pair{"frictionless = true", 1e-9},
+                                            {"friction = 0.3, xi = 5e-4, rolling_radius = 460", 1e-7}}) {
       const SceneResult one = solved("", "rail.profile = '60E1'\n", motion),
                         three = solved(", along = 30",
                                        "rail.sections = [ { at = 0, profile = '60E1' }, { at = 70, profile = "
@@ -95,8 +96,11 @@ TEST(ContactOnSections, MirrorsFromRightToLeft) {
   write_head(folder.path() / "b.txt", -100);
   const std::string rolling = "motion = { friction = 0.3, xi = 1e-3 }\nload.force = 10000\n"
                               "solver.model = 'halfspace'\n";
-  const SceneResult right = certified_on(folder.path(), nose, rolling + "position.lateral = 1\nposition.yaw = 0.002\n"),
-                    left = certified_on(folder.path(), nose, rolling + "position.side = 'left'\nposition.lateral = -1\nposition.yaw = -0.002\n");
+  const SceneResult right = certified_on(folder.path(), nose,
+                                         rolling + "position.lateral = 1\nposition.yaw = 0.002\n"),
+                    left = certified_on(
+                        folder.path(), nose,
+                        rolling + "position.side = 'left'\nposition.lateral = -1\nposition.yaw = -0.002\n");
   for (const char* name : {"pmax", "area", "Fx", "Fy", "Fz", "vertical", "Fx_slope"})
     EXPECT_NEAR(number(right, name), number(left, name), 1e-7 * (1 + std::abs(number(right, name)))) << name;
 }
@@ -130,7 +134,8 @@ TEST(ContactOnSections, OfACircleAlongXIsThatOfARoller) {
   write_head(folder.path() / "roller.txt", 0);
   const std::string free = "motion.frictionless = true\nsolver.model = 'halfspace'\nload.force = 10000\n";
   const SceneResult sections = certified_on(folder.path(), rail + "]\n", free),
-                    roller = certified_on(folder.path(), "rail.profile = 'roller.txt'\nrail.roller_radius = 500\n", free),
+                    roller = certified_on(folder.path(),
+                                          "rail.profile = 'roller.txt'\nrail.roller_radius = 500\n", free),
                     straight = certified_on(folder.path(), "rail.profile = 'roller.txt'\n", free);
   EXPECT_NEAR(number(sections, "pmax"), number(roller, "pmax"), 1e-3 * number(roller, "pmax"));
   EXPECT_GT(number(roller, "pmax"), 1.05 * number(straight, "pmax"));

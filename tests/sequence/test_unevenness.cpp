@@ -14,7 +14,8 @@ SceneFile scene(const std::string& more) {
   return parse_scene_file(
       {"rail.profile = '60E1'\nwheel.profile = 'S1002'\nposition.rail_inclination = 0.025\n"
        "load.force = 10000\n" +
-           std::string(more.find("grid") == std::string::npos ? "grid = { dx = 0.6, ds = 0.4 }\n" : "") + more,
+           std::string(more.find("grid") == std::string::npos ? "grid = { dx = 0.6, ds = 0.4 }\n" : "") +
+           more,
        "uneven.toml"});
 }
 
@@ -90,7 +91,8 @@ TEST(UnevenContact, OverTheEdgeOfAFlatIsSmoothOnSmallElements) {
       most = std::max(most, std::abs(p[i - 1] - 2 * p[i] + p[i + 1]));
     return most;
   };
-  const std::vector<Measured> large = pressures("dx = 0.8, ds = 0.4"), small = pressures("dx = 0.4, ds = 0.2"),
+  const std::vector<Measured> large = pressures("dx = 0.8, ds = 0.4"),
+                              small = pressures("dx = 0.4, ds = 0.2"),
                               smaller = pressures("dx = 0.25, ds = 0.125");
   EXPECT_GT(raggedness(large), 3 * raggedness(small));
   EXPECT_LT(raggedness(small), 0.02 * small.front());

@@ -60,6 +60,21 @@ Pairs aligned(const std::vector<CurvePoint>& a, const std::vector<CurvePoint>& b
   return out;
 }
 
+/// The arc length on `curve` of the point that corresponds to `p`, which is moved by `shift`, near `near`.
+double refined(const CurvePoint& p, Point2 shift, const ProfileCurve& curve, double near) {
+  const double low = std::max(near - spacing, curve.s_begin()),
+               high = std::min(near + spacing, curve.s_end());
+  const auto apart = [&](double s) {
+    const CurvePoint q = curve.at(s);
+    const double turn = direction_length * (p.delta - q.delta);
+    const Point2 off = p.position + shift - q.position;
+    return dot(off, off) + turn * turn;
+  };
+  const double found =
+      boost::math::tools::brent_find_minima(apart, low, high, std::numeric_limits<double>::digits / 2).first;
+  return apart(near) <= apart(found) ? near : found;
+}
+
 /// Two profiles that lie beside each other, wherever they are: how far the second must be moved for that, and
 /// which of its points then correspond to those of the first.
 struct Beside {
@@ -68,7 +83,7 @@ struct Beside {
   Point2 shift;
 
   Beside(const ProfileCurve& first, const ProfileCurve& second)
-      : a(points_along(first, spacing)), b(points_along(second, spacing)) {
+      : a(points_along(first, spacing)), b(points_along(second, spacing)), second_(second) {
     const auto top = [](const std::vector<CurvePoint>& points) {
       return std::ranges::min(points, {}, [](const CurvePoint& p) { return p.position.z; }).position.z;
     };
@@ -89,16 +104,19 @@ struct Beside {
   }
 
 private:
-  /// The median of what the pairs are apart, along y and z.
+  /// The median of what points of the first are apart from those of the second that correspond, along y and
+  /// z.
   Point2 middle_shift() const {
+    std::vector<Point2> apart;
+    for (const auto& [i, j] : pairs)
+      apart.push_back(a[i].position -
+                      second_.at(refined(a[i], {-shift.y, -shift.z}, second_, b[j].s)).position);
     const auto median = [&](double Point2::*along) {
-      std::vector<double> apart;
-      for (const auto& [i, j] : pairs)
-        apart.push_back(a[i].position.*along - b[j].position.*along);
-      std::ranges::nth_element(apart, apart.begin() + apart.size() / 2);
-      return apart[apart.size() / 2];
+      std::ranges::nth_element(apart, apart.begin() + apart.size() / 2, {}, along);
+      return apart[apart.size() / 2].*along;
     };
-    return {median(&Point2::y), median(&Point2::z)};
+    const double y = median(&Point2::y);
+    return {y, median(&Point2::z)};
   }
   /// Where one profile goes on beyond the end of the other, only the nearest of its points corresponds to
   /// that end.
@@ -111,27 +129,18 @@ private:
         ++second;
       return std::max(first, second);
     };
-    const auto apart = [&](const std::pair<int, int>& p) { return difference(a[p.first], b[p.second], shift); };
-    pairs.erase(pairs.begin(), std::ranges::min_element(pairs.begin(), run(pairs.begin(), pairs.end()), {}, apart));
-    std::ranges::reverse(pairs);
-    pairs.erase(pairs.begin(), std::ranges::min_element(pairs.begin(), run(pairs.begin(), pairs.end()), {}, apart));
-    std::ranges::reverse(pairs);
+    const auto apart = [&](const std::pair<int, int>& p) {
+      return difference(a[p.first], b[p.second], shift);
+    };
+    for (int end = 0; end < 2; ++end) {
+      pairs.erase(pairs.begin(),
+                  std::ranges::min_element(pairs.begin(), run(pairs.begin(), pairs.end()), {}, apart));
+      std::ranges::reverse(pairs);
+    }
   }
-};
 
-/// The arc length on `curve` of the point that corresponds to `p`, which is moved by `shift`, near `near`.
-double refined(const CurvePoint& p, Point2 shift, const ProfileCurve& curve, double near) {
-  const double low = std::max(near - spacing, curve.s_begin()), high = std::min(near + spacing, curve.s_end());
-  const auto apart = [&](double s) {
-    const CurvePoint q = curve.at(s);
-    const double turn = direction_length * (p.delta - q.delta);
-    const Point2 off = p.position + shift - q.position;
-    return dot(off, off) + turn * turn;
-  };
-  const double found =
-      boost::math::tools::brent_find_minima(apart, low, high, std::numeric_limits<double>::digits / 2).first;
-  return apart(near) <= apart(found) ? near : found;
-}
+  const ProfileCurve& second_;
+};
 
 /// The place on the second profile that belongs to one on the first, mm.
 class Follower {

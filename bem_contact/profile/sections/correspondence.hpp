@@ -10,9 +10,9 @@ namespace bem_contact {
 /// arc lengths of the same points, from end to end, mm.
 ///
 /// Two neighbours are laid beside each other by dynamic programming over points 1 mm apart (Sakoe and Chiba
-/// 1978): corresponding points look the same way and are near to each other, if one of the two is moved to where
-/// the other is, and their order is the same. What only one of the two has, at either end, corresponds to nothing and is left out. Some of the pairs are
-/// kept as marks.
+/// 1978): corresponding points look the same way and are near to each other if one of the two is moved to
+/// where the other is, and their order is the same. What only one of the two has, at either end, corresponds
+/// to nothing and is left out. Some of the pairs are kept as marks.
 std::vector<std::vector<double>> corresponding_points(const std::vector<BodySection>& sections);
 
 /// The mean distance of two profiles that are laid beside each other so, mm, with 10 mm for each rad by which

@@ -49,11 +49,10 @@ void require_features(const std::vector<BodySection>& sections) {
       if (std::isnan(features[k]))
         continue;
       if (!(features[k] >= profile.s_begin() && features[k] <= profile.s_end()))
-        throw InputError(
-            fmt::format("Feature {} of {} is off its profile", k + 1, named(sections, i)),
-            fmt::format("it is at s = {:g} mm, and the profile goes from {:.6g} to {:.6g} mm", features[k],
-                        profile.s_begin(), profile.s_end()),
-            "Give arc lengths of the profile; bem_contact profile shows them.");
+        throw InputError(fmt::format("Feature {} of {} is off its profile", k + 1, named(sections, i)),
+                         fmt::format("it is at s = {:g} mm, and the profile goes from {:.6g} to {:.6g} mm",
+                                     features[k], profile.s_begin(), profile.s_end()),
+                         "Give arc lengths of the profile; bem_contact profile shows them.");
       if (features[k] < before)
         throw InputError(fmt::format("Features cross each other in {}", named(sections, i)),
                          fmt::format("feature {} is at s = {:g} mm, and one before it at {:g} mm", k + 1,
@@ -106,8 +105,8 @@ std::vector<std::vector<char>> stretches_there(const std::vector<BodySection>& s
       throw InputError(
           fmt::format("There is {} between {:g} mm and {:g} mm along the track",
                       pieces == 0 ? "no rail" : "a hole in the rail", sections[i].at, sections[i + 1].at),
-          fmt::format("sections {} ('{}') and {} ('{}') have {} features next to each other in common",
-                      i + 1, sections[i].profile.name(), i + 2, sections[i + 1].profile.name(),
+          fmt::format("sections {} ('{}') and {} ('{}') have {} features next to each other in common", i + 1,
+                      sections[i].profile.name(), i + 2, sections[i + 1].profile.name(),
                       pieces == 0 ? "no two" : "not all of the"),
           "Features that only one of the two has must lie at one end of the profiles.");
     out.push_back(std::move(there));

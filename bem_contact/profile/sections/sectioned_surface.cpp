@@ -212,8 +212,8 @@ void SectionedSurface::tabulate(const std::vector<BodySection>& sections,
         const CurvePoint p = curve.at(s); // s of a corner is rounded to either side of it
         const double back = curve.at(std::max(s - before_joint, curve.s_begin())).delta,
                      ahead = curve.at(std::min(s + before_joint, curve.s_end())).delta;
-        const bool smooth = std::abs(ahead - back) <
-                            smooth_turn_of_section + 2 * before_joint * std::abs(p.curvature);
+        const bool smooth =
+            std::abs(ahead - back) < smooth_turn_of_section + 2 * before_joint * std::abs(p.curvature);
         table[j].push_back({p.position,
                             slope * tangent_of(smooth ? p.delta : back),
                             slope * tangent_of(smooth ? p.delta : ahead),

@@ -12,8 +12,8 @@ struct BodySection {
   double at = 0; ///< place along the track, mm
   ProfileCurve profile;
   /// Arc lengths on the profile of the feature lines, in walking order, mm; nan: this section does not have
-  /// the feature. All sections have as many; what lies before the first and beyond the last is left out. None:
-  /// they are found (correspondence.hpp).
+  /// the feature. All sections have as many; what lies before the first and beyond the last is left out.
+  /// None: they are found (correspondence.hpp).
   std::vector<double> features = {};
 };
 

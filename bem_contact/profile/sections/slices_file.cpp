@@ -115,7 +115,8 @@ SlicesHeader read_header(SliceLines& in) {
   in.begin();
   out.slices = whole_number(in, in.number("the number of sections"), most_slices, "the number of sections");
   in.begin();
-  out.features = whole_number(in, in.number("the number of features"), most_features, "the number of features");
+  out.features =
+      whole_number(in, in.number("the number of features"), most_features, "the number of features");
   out.kinks = whole_number(in, in.number_or(0), most_features, "the number of kinks");
   out.jumps = whole_number(in, in.number_or(0), most_features, "the number of jumps of the curvature");
   in.begin();
