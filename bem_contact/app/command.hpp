@@ -55,6 +55,7 @@ Command add_conicity(CLI::App& program);     ///< how a rigid wheelset steers it
 Command add_creep_curves(CLI::App& program); ///< forces over creepages
 Command add_fit(CLI::App& program);          ///< keys of a scene, by measured forces
 Command add_table(CLI::App& program);        ///< tables of forces, and values of such a table
+Command add_fmu(CLI::App& program);          ///< such a table as an element for other programs
 Command add_wear(CLI::App& program);         ///< profiles wear under a load collective
 Command add_fatigue(CLI::App& program);      ///< shakedown, damage and stresses of each case of a sweep
 Command add_stresses(CLI::App& program);     ///< which stresses are inside wheel and rail?
@@ -67,9 +68,9 @@ Command add_plot(CLI::App& program);         ///< a picture of a file; Python dr
 
 /// Lists the commands in the order of the program's help.
 inline constexpr Command (*all_commands[])(CLI::App& program) = {
-    add_new,          add_from_contact, add_solve,   add_compare, add_check,   add_schema,
-    add_info,         add_influence,    add_profile, add_sweep,   add_replay,  add_conicity,
-    add_creep_curves, add_fit,          add_table,   add_wear,    add_fatigue, add_stresses,
-    add_shakedown,    add_wheelset,     add_study,   add_report,  add_explore, add_plot};
+    add_new,       add_from_contact, add_solve,   add_compare, add_check,    add_schema,       add_info,
+    add_influence, add_profile,      add_sweep,   add_replay,  add_conicity, add_creep_curves, add_fit,
+    add_table,     add_fmu,          add_wear,    add_fatigue, add_stresses, add_shakedown,    add_wheelset,
+    add_study,     add_report,       add_explore, add_plot};
 
 } // namespace bem_contact::app

@@ -5,10 +5,12 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/toml.hpp"
+#include "bem_contact/scene/absolute_names.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <optional>
@@ -85,8 +87,10 @@ void take_table(CLI::App& line, const toml::table& values, const std::string& so
     if (option == options.end() || !given || option->second->count() > 0) // the scene's reader knows all keys
       continue;
     try {
+      const bool names_file = option->second->get_type_name() == file_option;
       for (const std::string& value : values_of(node))
-        option->second->add_result(value);
+        option->second->add_result(
+            names_file ? absolute_name(value, std::filesystem::path(source).parent_path()) : value);
       if (option->second->count() == 0)
         throw CLI::ValidationError("it is no value");
       option->second->run_callback();

@@ -11,6 +11,9 @@ namespace bem_contact::app {
 /// The table of a scene file that has the options of a command: "creep_curves" for creep-curves.
 std::string table_name(std::string command);
 
+/// The type of options that name a file: in a table of a scene its name is seen from the scene's folder.
+inline constexpr const char* file_option = "FILE";
+
 /// Gives the parsed `command` the options that its table in the scene file holds and its line does not: the
 /// key of --most-points is most_points. Throws InputError, with file and line, for a value that the option
 /// refuses, and for a key in the table of any command of `all` that neither is one of its options nor has

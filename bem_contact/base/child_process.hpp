@@ -8,8 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include <sys/types.h>
-
 namespace bem_contact {
 
 /// A child of this process whose messages come back line by line. It is asked to end (SIGTERM) when the
@@ -32,7 +30,7 @@ public:
   int wait(std::string& how);
 
 private:
-  pid_t process_ = -1;
+  int process_ = -1;
   int messages_ = -1;
   std::string rest_;
 };
@@ -51,6 +49,14 @@ private:
   std::vector<std::string> words_;
   std::vector<char*> pointers_;
 };
+
+/// Runs a program, which prints to standard error, and waits for it. True: it did what it had to; else `why`
+/// says what happened, or is "" where it has said so itself.
+bool run_and_wait(const std::vector<std::string>& words, std::string& why);
+
+void set_variable(const char* name, const std::filesystem::path& value); ///< of the environment
+
+std::filesystem::path this_program(); ///< "": the system does not say
 
 /// A program in the folder CONFORMAL_BIN, else beside this one, else on PATH. "": it is not there.
 std::filesystem::path program_named(std::string_view name);

@@ -40,7 +40,7 @@ void require_readable(const std::string& file, std::string_view what) {
 
 std::ifstream open_input(const std::string& file, std::string_view what) {
   require_readable(file, what);
-  std::ifstream in(file, std::ios::binary);
+  std::ifstream in(std::filesystem::path(file), std::ios::binary); // a name is UTF-8 on every system
   if (!in)
     refuse(file, what, file_exists(file) ? "no permission" : "there is no such file",
            "Check the path; relative paths start in the folder of the file that names them.");

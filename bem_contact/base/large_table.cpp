@@ -1,6 +1,6 @@
 #include "bem_contact/base/large_table.hpp"
 
-#include <sys/mman.h>
+#include "bem_contact/base/system/memory.hpp"
 
 namespace bem_contact {
 
@@ -16,9 +16,7 @@ void* allocate_table(std::size_t bytes) {
   if (bytes < own_pages)
     return ::operator new(bytes);
   void* table = ::operator new(bytes, std::align_val_t(large_page));
-#ifdef MADV_HUGEPAGE
-  madvise(table, bytes / large_page * large_page, MADV_HUGEPAGE); // where it cannot, all is as before
-#endif
+  system::ask_for_large_pages(table, bytes / large_page * large_page);
   return table;
 }
 

@@ -35,7 +35,8 @@ void tell(Told kind, std::string_view text) {
     return;
   std::string line = fmt::format("{}\t{}", name_of(kind), text);
   std::ranges::replace(line, '\n', ' ');
-  std::ofstream(file, std::ios::app) << line + "\n"; // in one piece: others may write to it
+  std::ofstream(std::filesystem::path(file), std::ios::app)
+      << line + "\n"; // in one piece: others may write to it
 }
 
 void tell_progress(std::size_t done, std::size_t all) {

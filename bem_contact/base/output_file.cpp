@@ -1,17 +1,11 @@
 #include "bem_contact/base/output_file.hpp"
 
 #include "bem_contact/base/error.hpp"
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <sys/vfs.h>
-#include <unistd.h>
+#include "bem_contact/base/system/files.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
-#include <climits>
-#include <csignal>
 #include <cstdio>
 #include <fmt/format.h>
 #include <fstream>
@@ -28,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto proc_file_system = 0x9fa0;      // PROC_SUPER_MAGIC of linux/magic.h
+constexpr std::size_t longest_name = 255;      // bytes, NAME_MAX
 constexpr int most_links = 40;                 // as many as Linux follows
 constexpr const char* temporary_mark = ".tmp"; // then comes the number of the process
 
@@ -46,18 +40,12 @@ fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-/// Names such as /proc/self/fd/1 stand for something open, which has no other name.
-bool stands_for_something_open(const fs::path& link) {
-  struct statfs system {};
-  return statfs(folder_of(link).c_str(), &system) == 0 && system.f_type == proc_file_system;
-}
-
 /// The end of a chain of links, which need not exist. Nothing if it has no end.
 std::optional<fs::path> end_of_links(const fs::path& name) {
   fs::path at = name;
   std::error_code failed;
   for (int links = 0; links < most_links; ++links) {
-    if (!fs::is_symlink(fs::symlink_status(at, failed)) || stands_for_something_open(at))
+    if (!fs::is_symlink(fs::symlink_status(at, failed)) || system::stands_for_something_open(at))
       return at;
     const fs::path to = fs::read_symlink(at, failed);
     at = to.is_absolute() ? to : folder_of(at) / to;
@@ -83,15 +71,16 @@ void refuse_overwriting(const Output& output, const fs::path& taken, const std::
 
 /// Throws where a file of somebody else would be replaced.
 void require_begin(const fs::path& file, const std::string& begin) {
-  struct stat found {};
-  if (lstat(file.c_str(), &found) != 0 || (S_ISREG(found.st_mode) && found.st_size == 0))
+  std::error_code unknown;
+  const fs::file_status found = fs::symlink_status(file, unknown);
+  const bool regular = fs::is_regular_file(found);
+  if (!fs::exists(found) || (regular && fs::file_size(file, unknown) == 0))
     return;
   std::string first(begin.size(), '\0');
   std::ifstream in;
-  if (S_ISREG(found.st_mode)) // a pipe would wait, and a link leads elsewhere
+  if (regular) // a pipe would wait, and a link leads elsewhere
     in.open(file, std::ios::binary);
-  if (!S_ISREG(found.st_mode) || !in.read(first.data(), static_cast<std::streamsize>(first.size())) ||
-      first != begin)
+  if (!regular || !in.read(first.data(), static_cast<std::streamsize>(first.size())) || first != begin)
     throw InputError(fmt::format("The file '{}' exists and would be replaced", file.string()),
                      "it is not one that this command has written there",
                      "Give the output another name, or move this file.");
@@ -99,24 +88,20 @@ void require_begin(const fs::path& file, const std::string& begin) {
 
 /// Beside the file. A long name loses its end for it, since no name has more than NAME_MAX bytes.
 fs::path temporary_name(const fs::path& file, const std::string& ending) {
-  const std::string tail = fmt::format("{}{}{}", temporary_mark, getpid(), ending);
+  const std::string tail = fmt::format("{}{}{}", temporary_mark, system::this_process(), ending);
   const std::string name = file.filename().string();
-  return file.parent_path() / (name.substr(0, std::min(name.size(), NAME_MAX - tail.size())) + tail);
+  return file.parent_path() / (name.substr(0, std::min(name.size(), longest_name - tail.size())) + tail);
 }
 
 bool is_too_long(const fs::path& file) {
-  struct stat found {};
-  return stat(file.c_str(), &found) != 0 && errno == ENAMETOOLONG;
+  std::error_code why;
+  return !fs::status_known(fs::status(file, why)) && why == std::errc::filename_too_long;
 }
 
-bool is_open_as(int descriptor, const struct stat& file) {
-  struct stat open {};
-  return fstat(descriptor, &open) == 0 && open.st_dev == file.st_dev && open.st_ino == file.st_ino;
-}
-
-void require_permission(const fs::path& file, const fs::path& output, mode_t mode) {
+void require_permission(const fs::path& file, const fs::path& output, fs::perms allowed) {
+  using enum fs::perms;
   // The system refuses root nothing, so that the bits count too.
-  if ((mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0 || access(file.c_str(), W_OK) != 0)
+  if ((allowed & (owner_write | group_write | others_write)) == none || !system::may_write(file))
     refuse(output, "it exists and is protected from writing", "Give another file, or chmod u+w this one.");
 }
 
@@ -127,7 +112,7 @@ void require_folder(const fs::path& file, const fs::path& output) {
     refuse(output, "it names no file", "Give the file a name.");
   if (!fs::is_directory(folder, ignored))
     refuse(output, "there is no folder '" + folder.string() + "'", "Make the folder, or give another file.");
-  if (access(folder.c_str(), W_OK | X_OK) != 0)
+  if (!system::may_write_into(folder))
     refuse(output, "you may not write to the folder '" + folder.string() + "'", "Give another file.");
 }
 
@@ -137,13 +122,11 @@ std::string last_error(const char* otherwise) {
 }
 
 void write_through(const fs::path& file, const std::function<void(std::ostream&)>& write) {
-  struct stat found {};
-  const bool known = stat(file.c_str(), &found) == 0;
-  const bool standard = known && (is_open_as(STDOUT_FILENO, found) || is_open_as(STDERR_FILENO, found));
+  const bool output = system::is_standard_output(file), error = !output && system::is_standard_error(file);
   std::ofstream opened;
-  if (!standard)
+  if (!output && !error)
     opened.open(file, std::ios::binary | std::ios::app);
-  std::ostream& out = !standard ? opened : is_open_as(STDOUT_FILENO, found) ? std::cout : std::cerr;
+  std::ostream& out = output ? std::cout : error ? std::cerr : opened;
   errno = 0;
   std::fflush(stdout);
   if (out)
@@ -167,10 +150,10 @@ void replace(const fs::path& file, const std::function<void(std::ostream&)>& wri
 
 /// Whether `text` is the number of a process that has ended.
 bool is_of_ended_process(std::string_view text) {
-  pid_t process = 0;
+  int process = 0;
   const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), process);
-  return failed == std::errc() && end == text.data() + text.size() && process > 0 && kill(process, 0) != 0 &&
-         errno == ESRCH;
+  return failed == std::errc() && end == text.data() + text.size() && process > 0 &&
+         !system::is_running(process);
 }
 
 /// Removes what killed processes have left of the same file.
@@ -191,13 +174,9 @@ void remove_leftovers(const fs::path& file, const std::string& ending) {
 /// What a name leads to after a crash of the machine must be whole, too: bytes reach the disk before the name
 /// does. Some file systems cannot be asked, and keep what they have.
 void put_on_disk(const fs::path& written, const fs::path& file) {
-  const int descriptor = open(written.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool failed = descriptor >= 0 && fsync(descriptor) != 0 && errno != EINVAL && errno != ENOSYS;
-  const std::string why = last_error("it cannot be put on the disk");
-  if (descriptor >= 0)
-    close(descriptor);
-  if (failed)
-    fail(file, why);
+  errno = 0;
+  if (!system::put_on_disk(written))
+    fail(file, last_error("it cannot be put on the disk"));
 }
 
 } // namespace
@@ -223,25 +202,27 @@ OutputTarget output_target(const fs::path& output, OutputForm form) {
   const fs::path& file = *end;
   if (is_too_long(file) || is_too_long(temporary_name(file, "")))
     refuse(output, "the name is too long", "Give a shorter one.");
-  struct stat found {};
-  if (stat(file.c_str(), &found) != 0) {
+  std::error_code unknown;
+  const fs::file_status found = fs::status(file, unknown);
+  if (!fs::exists(found)) {
     require_folder(file, output);
     return {file, false};
   }
-  if (S_ISDIR(found.st_mode))
+  if (fs::is_directory(found))
     refuse(output, "it is a folder", "Give the name of a file in it.");
-  if (S_ISSOCK(found.st_mode) || S_ISBLK(found.st_mode))
-    refuse(output, S_ISBLK(found.st_mode) ? "it is a disk" : "it is a socket", "Give the name of a file.");
-  const bool standard = is_open_as(STDOUT_FILENO, found) || is_open_as(STDERR_FILENO, found);
-  const bool stream = standard || !S_ISREG(found.st_mode) || stands_for_something_open(file);
+  if (fs::is_socket(found) || fs::is_block_file(found))
+    refuse(output, fs::is_block_file(found) ? "it is a disk" : "it is a socket", "Give the name of a file.");
+  const bool regular = fs::is_regular_file(found),
+             standard = system::is_standard_output(file) || system::is_standard_error(file),
+             stream = standard || !regular || system::stands_for_something_open(file);
   if (stream && form == OutputForm::whole_file)
     refuse(output,
-           !S_ISREG(found.st_mode) ? "it is a device or a pipe, and the output is a whole file"
-           : standard              ? "standard output goes there"
-                                   : "it stands for a file that is open",
+           !regular   ? "it is a device or a pipe, and the output is a whole file"
+           : standard ? "standard output goes there"
+                      : "it stands for a file that is open",
            "Give the name of a regular file.");
   if (!standard)
-    require_permission(file, output, found.st_mode);
+    require_permission(file, output, found.permissions());
   if (!stream)
     require_folder(file, output);
   return {file, stream};
@@ -269,11 +250,10 @@ WholeFile::~WholeFile() {
 }
 
 void WholeFile::commit() const {
-  struct stat before {};
-  if (stat(file_.c_str(), &before) == 0)
-    chmod(temporary_.c_str(), before.st_mode & 07777);
-  put_on_disk(temporary_, file_);
   std::error_code failed;
+  if (const fs::file_status before = fs::status(file_, failed); fs::exists(before))
+    fs::permissions(temporary_, before.permissions(), failed);
+  put_on_disk(temporary_, file_);
   fs::rename(temporary_, file_, failed);
   if (failed)
     fail(file_, failed.message());

@@ -4,9 +4,7 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/sha256.hpp"
-
-#include <fcntl.h>
-#include <unistd.h>
+#include "bem_contact/base/system/files.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -206,12 +204,11 @@ void OutputFolder::note(std::string_view digest, const std::string& name) {
   if (!is_there(list_file()))
     begin_list();
   const std::string line = fmt::format("{}  {}\n", digest, name);
-  const int list = open(list_file().c_str(), O_WRONLY | O_APPEND | O_NOFOLLOW | O_CLOEXEC);
-  const bool written =
-      list >= 0 && ::write(list, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+  const int list = system::open_file(list_file(), system::OpenFor::appending);
+  const bool written = list >= 0 && system::write_all(list, line);
   const std::string why = std::strerror(errno);
   if (list >= 0)
-    close(list);
+    system::close_file(list);
   if (!written)
     throw Error(fmt::format("The list '{}' cannot be written", list_file().string()), why,
                 "Check that the disk is not full and that you may write there.");

@@ -5,9 +5,7 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/sha256.hpp"
-
-#include <fcntl.h>
-#include <unistd.h>
+#include "bem_contact/base/system/files.hpp"
 
 #include <cerrno>
 #include <cstdint>
@@ -78,24 +76,24 @@ bool is_journal(const std::filesystem::path& file, const JournalKind& kind) {
 SealedJournal::SealedJournal(const std::filesystem::path& file, const JournalKind& kind,
                              const std::string& digest, const RecordReader& seen)
     : file_(output_target(file, OutputForm::whole_file).file) {
-  handle_ = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  handle_ = system::open_file(file_, system::OpenFor::changing);
   if (handle_ < 0)
     fail_writing(file_);
   try {
     warning_ = lock_file(handle_, file_, kind.if_in_use);
     const std::size_t good = read_journal(file_, kind, digest, seen);
-    if (ftruncate(handle_, static_cast<off_t>(good)) != 0 || lseek(handle_, 0, SEEK_END) < 0)
+    if (!system::set_size(handle_, good))
       fail_writing(file_);
     if (good == 0)
       write(header_of(kind, digest));
   } catch (...) {
-    close(handle_);
+    system::close_file(handle_);
     throw;
   }
 }
 
 SealedJournal::~SealedJournal() {
-  close(handle_);
+  system::close_file(handle_);
 }
 
 void SealedJournal::append(std::string_view record) {
@@ -107,14 +105,8 @@ void SealedJournal::append(std::string_view record) {
 }
 
 void SealedJournal::write(std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(handle_, bytes.data(), bytes.size());
-    if (n < 0 && errno == EINTR)
-      continue;
-    if (n <= 0)
-      fail_writing(file_);
-    bytes.remove_prefix(static_cast<std::size_t>(n));
-  }
+  if (!system::write_all(handle_, bytes))
+    fail_writing(file_);
 }
 
 void SealedJournal::remove() {

@@ -1,145 +1,28 @@
 #include "bem_contact/base/temporary_folder.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/system/temporary.hpp"
 
 #include <algorithm>
-#include <array>
-#include <atomic>
-#include <cerrno>
-#include <csignal>
-#include <cstdint>
-#include <cstdlib>
-#include <cstring>
-#include <ctime>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
 #include <system_error>
-#include <unistd.h>
-
-#if __has_include(<sys/syscall.h>)
-#include <sys/syscall.h>
-#endif
 
 namespace bem_contact {
 
-namespace {
-
-#ifdef SYS_getdents64
-
-// A signal that ends the program runs no destructor, and its handler may hardly call anything: it finds the
-// paths here. Handlers are the process's own, so that this is too.
-struct LivingFolder {
-  std::atomic<const char*> path = nullptr;
-  pid_t owner = 0; ///< not a child that was forked
-};
-std::array<LivingFolder, 16> living; ///< of more than these the later ones stay behind
-
-/// As the kernel gives it (man 2 getdents).
-struct FolderEntry {
-  std::uint64_t inode;
-  std::int64_t offset;
-  unsigned short size;
-  unsigned char kind;
-  char name[1];
-};
-
-/// Removes what is in an open folder; by system calls alone, since a handler may not allocate.
-void empty_folder(int folder, int depth) {
-  constexpr int deepest = 8; // OpenMPI makes five
-  alignas(FolderEntry) char bytes[2048];
-  for (long read = 0; depth < deepest && (read = syscall(SYS_getdents64, folder, bytes, sizeof bytes)) > 0;)
-    for (long at = 0; at < read;) {
-      const auto& entry = *reinterpret_cast<const FolderEntry*>(bytes + at);
-      at += entry.size;
-      const char* name = entry.name;
-      if (std::strcmp(name, ".") == 0 || std::strcmp(name, "..") == 0 || unlinkat(folder, name, 0) == 0)
-        continue;
-      if (const int inner = openat(folder, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-          inner >= 0) {
-        empty_folder(inner, depth + 1);
-        close(inner);
-        unlinkat(folder, name, AT_REMOVEDIR);
-      }
-    }
-}
-
-/// A child may make a file meanwhile, so that one try is not enough.
-void remove_folder(const char* path) {
-  constexpr int tries = 100;
-  for (int k = 0; k < tries; ++k) {
-    if (const int folder = open(path, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC); folder >= 0) {
-      empty_folder(folder, 0);
-      close(folder);
-    }
-    if (rmdir(path) == 0 || errno == ENOENT)
-      return;
-    constexpr timespec millisecond{.tv_sec = 0, .tv_nsec = 1'000'000};
-    nanosleep(&millisecond, nullptr);
-  }
-}
-
-extern "C" void remove_folders_and_end(int signal) {
-  const pid_t self = getpid();
-  for (LivingFolder& folder : living)
-    if (const char* path = folder.path; path && folder.owner == self)
-      remove_folder(path);
-  raise(signal); // its handler is the default again (SA_RESETHAND); it acts when this one returns
-}
-
-/// A host such as Python keeps its own handlers, and a signal that is ignored stays so.
-void clean_up_at_signals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction now {};
-    if (sigaction(signal, nullptr, &now) != 0 || (now.sa_flags & SA_SIGINFO) != 0 ||
-        now.sa_handler != SIG_DFL)
-      continue;
-    struct sigaction action {};
-    action.sa_handler = remove_folders_and_end;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigemptyset(&action.sa_mask);
-    sigaction(signal, &action, nullptr);
-  }
-}
-
-void keep_for_signals(const char* path) {
-  clean_up_at_signals();
-  for (LivingFolder& folder : living)
-    if (const char* none = nullptr; folder.path.compare_exchange_strong(none, path)) {
-      folder.owner = getpid();
-      return;
-    }
-}
-
-void forget_for_signals(const char* path) {
-  for (LivingFolder& folder : living)
-    if (folder.path == path)
-      folder.path = nullptr;
-}
-
-#else
-void keep_for_signals(const char*) {}
-void forget_for_signals(const char*) {}
-#endif
-
-} // namespace
-
 TemporaryFolder::TemporaryFolder() {
   std::error_code problem;
-  std::string name = (std::filesystem::temp_directory_path(problem) / "bem_contact_XXXXXX").string();
-  if (!problem && mkdtemp(name.data()) == nullptr)
-    problem.assign(errno, std::generic_category());
+  path_ = system::new_temporary_folder(problem);
   if (problem)
     throw Error("No temporary folder can be made", problem.message(),
                 "Set TMPDIR to a folder that you may write to.");
-  path_ = name;
-  keep_for_signals(path_.c_str());
+  system::remove_at_signals(path_);
 }
 
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
   std::filesystem::remove_all(path_, ignored);
-  forget_for_signals(path_.c_str());
+  system::keep_at_signals(path_);
 }
 
 std::filesystem::path TemporaryFolder::write(const std::filesystem::path& name,

@@ -193,7 +193,7 @@ int conformal_warning_kind(conformal_contact* handle, int index, const char** ki
  *     conformal_table_size(table, &axes, &columns);                                     2 and 21, say
  *     conformal_table_find(table, "Fx", &fx);
  *     if (conformal_table_look_up(table, at, axes, values, errors, columns, message, sizeof message) != ...
- *     printf("%g N, interpolated within %g N", values[fx], errors[fx]);
+ *     printf("%g +- %g N", values[fx], errors[fx]);
  *     conformal_table_close(table);
  *
  * Any number of threads may use one table at the same time. `message` is what it is for
@@ -208,9 +208,9 @@ void conformal_table_close(conformal_table* table);
 
 /* How many axes and columns it has. */
 int conformal_table_size(const conformal_table* table, int* axes, int* columns);
-/* Name, unit, first and last point of an axis; name, unit and stated error of a column: the largest
- * difference from a solution that was found between the points. Every pointer may be null. Texts are valid
- * until the table is closed. */
+/* Name, unit, first and last point of an axis; name, unit and stated error of a column: between
+ * the points and by the size of the elements (where that is not known, between the points alone). Every
+ * pointer may be null. Texts are valid until the table is closed. */
 int conformal_table_axis(const conformal_table* table, int index, const char** name, const char** unit,
                          double* from, double* to);
 int conformal_table_column(const conformal_table* table, int index, const char** name, const char** unit,
@@ -223,16 +223,15 @@ int conformal_table_find(const conformal_table* table, const char* name, int* co
 int conformal_table_look_up(const conformal_table* table, const double* at, int axes, double* values,
                             double* errors, int columns, char* message, int size);
 
-/* The same for the loop of a vehicle model, with derivatives, in some microseconds: it allocates nothing, reads no
- * file and makes no message. Of the first `columns` columns (32 at most):
- *     values       [columns]
+/* The same for the loop of a vehicle model, with derivatives, in some microseconds: it allocates nothing,
+ * reads no file and makes no message. Of the first `columns` columns (32 at most): values       [columns]
  *     derivatives  [columns][axes]: of each column along each axis, exactly those of the values; may be null
- *     errors       [columns]: stated, between the points and by the size of the elements (nan: not known); may be null
- *     beyond       0, or k (-k): the point is beyond the upper (lower) end of axis k, counted from 1; may be null
- * Values and derivatives are continuous in all coordinates. CONFORMAL_BEYOND_TABLE outside the axes, and for a
- * coordinate that is no number; CONFORMAL_WRONG_INPUT for a table of creep forces or of more than 8 axes. Then nothing
- * is written but `beyond`. `bem_contact table T.h5 --pack T.c` writes a table and this function as one C source that
- * needs no library. */
+ *     errors       [columns]: stated, as conformal_table_column() has them; may be null
+ *     beyond       0, or k (-k): the point is beyond the upper (lower) end of axis k, counted from 1; may be
+ * null Values and derivatives are continuous in all coordinates. CONFORMAL_BEYOND_TABLE outside the axes, and
+ * for a coordinate that is no number; CONFORMAL_WRONG_INPUT for a table of creep forces or of more than 8
+ * axes. Then nothing is written but `beyond`. `bem_contact table T.h5 --pack T.c` writes a table and this
+ * function as one C source that needs no library. */
 int conformal_table_force(const conformal_table* table, const double* at, int columns, double* values,
                           double* derivatives, double* errors, int* beyond);
 

@@ -87,7 +87,7 @@ int conformal_table_column(const conformal_table* handle, int index, const char*
     return CONFORMAL_WRONG_INPUT;
   give(name, column->name.c_str());
   give(unit, column->unit.c_str());
-  give(error, column->interpolation_error);
+  give(error, column->error());
   return CONFORMAL_OK;
 }
 
@@ -116,7 +116,7 @@ int conformal_table_look_up(const conformal_table* handle, const double* at, int
     for (std::size_t c = 0; c < static_cast<std::size_t>(columns); ++c) {
       values[c] = found[c];
       if (errors)
-        errors[c] = t.columns[c].interpolation_error;
+        errors[c] = t.columns[c].error();
     }
   });
 }

@@ -61,8 +61,8 @@ SurfaceTemperatures flash_temperatures(const ContactGrid& grid, const Heating& h
 
 SurfaceTemperatures flash_temperatures(const ContactProblem& problem, const ContactResult& result) {
   return flash_temperatures(problem, result,
-                            problem.friction_falls_with_heat() ? contact::dissipated_in_slip(result)
-                                                               : friction_work_density(result));
+                            problem.heat_acts() ? contact::dissipated_in_slip(result)
+                                                : friction_work_density(result));
 }
 
 SurfaceTemperatures flash_temperatures(const ContactProblem& problem, const ContactResult& result,

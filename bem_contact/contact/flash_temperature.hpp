@@ -15,8 +15,8 @@ namespace bem_contact {
 SurfaceTemperatures flash_temperatures(const ContactGrid& grid, const Heating& heating, double speed,
                                        std::span<const double> heat, std::span<const char> in_contact);
 
-/// Returns the temperatures of a result, heated by its friction. `problem` has speed and heating. Where
-/// friction falls with heat they are those that its law was solved with, of the heat that the slip of
+/// Returns the temperatures of a result, heated by its friction. `problem` has speed and heating. Where heat
+/// acts on friction or layer they are those that its law was solved with, of the heat that the slip of
 /// elements shows.
 SurfaceTemperatures flash_temperatures(const ContactProblem& problem, const ContactResult& result);
 /// The same with other heat, MPa; field.

@@ -28,8 +28,32 @@ double HotFriction::factor(double temperature) const {
   return 1 - (1 - ratio) * std::clamp((temperature - from) / (to - from), 0.0, 1.0);
 }
 
+double YieldLimit::at(double temperature) const {
+  if (temperatures.empty())
+    return shear;
+  const auto above = std::ranges::upper_bound(temperatures, temperature);
+  if (above == temperatures.begin())
+    return shears.front();
+  if (above == temperatures.end())
+    return shears.back();
+  const auto k = above - temperatures.begin();
+  const double share = (temperature - temperatures[k - 1]) / (temperatures[k] - temperatures[k - 1]);
+  return shears[k - 1] + share * (shears[k] - shears[k - 1]);
+}
+
+bool YieldLimit::softens_by_heat() const {
+  return least() < shear;
+}
+
+double YieldLimit::least() const {
+  return shears.empty() ? shear : std::ranges::min(shears);
+}
+
 std::string yield_text(const YieldLimit& limit) {
   std::string out = fmt::format("yields at {:g} MPa", limit.shear);
+  if (!limit.temperatures.empty())
+    out += fmt::format(" ({:g} degrees C) to {:g} MPa ({:g})", limit.temperatures.front(),
+                       limit.shears.back(), limit.temperatures.back());
   if (limit.hardening != 0)
     out += fmt::format(", and {} by {:g} MPa/mm", limit.hardening > 0 ? "hardens" : "softens",
                        std::abs(limit.hardening));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace bem_contact {
 
@@ -47,13 +48,19 @@ struct HotFriction {
 /// A layer between the surfaces yields: it bears a shear traction of tau(w) = shear + hardening w at the
 /// most, where w is its plastic slip so far (plastic_slip.hpp). theory/contact.md, section 6.
 struct YieldLimit {
-  double shear = 0;     ///< tau_0, above 0, MPa
+  double shear = 0;     ///< tau_0, above 0, MPa; the largest where it depends on temperature
   double hardening = 0; ///< MPa/mm; below 0 the layer softens, until it bears nothing
+  /// tau_0 (MPa) over the mean temperature of both surfaces (degrees C, rising): linear in between, constant
+  /// below and above; empty: `shear` at every temperature.
+  std::vector<double> temperatures = {}, shears = {};
 
+  double at(double temperature) const; ///< tau_0, MPa; degrees C
+  bool softens_by_heat() const;        ///< it has several values
+  double least() const;                ///< tau_0 of the hottest layer, MPa
   bool operator==(const YieldLimit&) const = default;
 };
 
-/// "yields at 200 MPa, and hardens by 435 MPa/mm".
+/// "yields at 200 MPa, and hardens by 435 MPa/mm", "yields at 200 MPa (20 degrees C) to 60 MPa (400)".
 std::string yield_text(const YieldLimit& limit);
 
 /// How one element of such a layer answers to a step. Friction and yield are one law of p_t and slip S, and

@@ -29,6 +29,7 @@ LayerElement PlasticSlip::element(int i, double friction, double one_ahead, doub
 std::vector<LayerAnswer> PlasticSlip::answers(const Given& given) const {
   const int mx = problem_.grid.mx;
   std::vector<LayerAnswer> out(problem_.grid.size());
+  YieldLimit of_element{limit().shear, limit().hardening};
   for (int row = 0; row < problem_.grid.ms; ++row)
     for (int ix = mx - 1; ix >= 0; --ix) { // from the leading edge
       const int i = row * mx + ix;
@@ -36,7 +37,9 @@ std::vector<LayerAnswer> PlasticSlip::answers(const Given& given) const {
       const LayerElement here = element(i, given.friction[i], ahead(1), ahead(2));
       const double reach = std::hypot(given.px[i] + here.stiffness * given.slip_x[i],
                                       given.ps[i] + here.stiffness * given.slip_s[i]);
-      out[i] = answer(limit(), here, reach);
+      if (!given.limits.empty())
+        of_element.shear = given.limits[i];
+      out[i] = answer(of_element, here, reach);
     }
   return out;
 }

@@ -18,8 +18,9 @@ public:
   explicit PlasticSlip(const ContactProblem& problem); ///< which outlives this and has a yield limit
 
   /// Fields of the tractions on all elements, MPa; of slip, mm; and what friction bears, mu p_n, MPa.
+  /// `limits`: tau_0 at the temperatures of the elements, MPa; empty: that of the problem.
   struct Given {
-    std::span<const double> px, ps, slip_x, slip_s, friction;
+    std::span<const double> px, ps, slip_x, slip_s, friction, limits = {};
   };
   /// The answers of all elements, each after those ahead of it; field.
   std::vector<LayerAnswer> answers(const Given& given) const;
@@ -27,7 +28,7 @@ public:
   /// Of the element with this plastic slip one and two columns ahead of it, on the grid.
   LayerElement element(int i, double friction, double one_ahead, double two_ahead) const;
   /// Says whether an element may yield where friction bears at most so much, MPa.
-  bool may_yield(double friction) const { return friction > limit().shear || has_yielded_; }
+  bool may_yield(double friction) const { return friction > limit().least() || has_yielded_; }
   double share(int ahead) const { return -rule_.present[ahead] / rule_.present[0]; } ///< of it, in `before`
   const YieldLimit& limit() const { return *problem_.yield; }
 

@@ -4,6 +4,7 @@
 #include "bem_contact/contact/slip_step.hpp"
 
 #include <fmt/format.h>
+#include <functional>
 #include <string>
 
 namespace bem_contact {
@@ -137,9 +138,29 @@ void validate_friction_law(const ContactProblem& problem) {
           "Leave it out.");
 }
 
+void validate_yield_by_heat(const ContactProblem& problem) {
+  const YieldLimit& limit = *problem.yield;
+  const std::vector<double>&at = limit.temperatures, &shears = limit.shears;
+  const auto is_finite = [](double v) { return std::isfinite(v); };
+  require(at.size() == shears.size() && std::ranges::all_of(at, is_finite) &&
+              std::ranges::is_sorted(at, std::less_equal<>()),
+          "The layer's limit over temperature cannot be used",
+          fmt::format("it has {} temperatures and {} limits, or its temperatures do not rise", at.size(),
+                      shears.size()),
+          "Give one limit for each temperature, the coldest first.");
+  require(
+      std::ranges::all_of(shears, [](double v) { return std::isfinite(v) && v > 0; }) &&
+          std::ranges::is_sorted(shears, std::greater<>()) && limit.shear == shears.front(),
+      "The layer's limit over temperature cannot be used",
+      "a layer that bears more the hotter it is heats itself further: there may be more than one solution",
+      "Give limits above 0 that do not rise with temperature; `shear` is the first of them.");
+  require(problem.heating.has_value(), "The layer's limit depends on the temperature of the surfaces",
+          "temperatures are not asked for", "Give `heating`, or one limit.");
+}
+
 /// An element whose slip lowers what the layer bears by more than it lowers its traction would snap.
 void validate_yield(const ContactProblem& problem) {
-  const auto& [shear, hardening] = *problem.yield;
+  const double shear = problem.yield->shear, hardening = problem.yield->hardening;
   require(std::isfinite(shear) && shear > 0 && std::isfinite(hardening),
           "The layer's yield limit cannot be used",
           fmt::format("it is {} MPa and hardens by {} MPa/mm", shear, hardening),
@@ -151,6 +172,8 @@ void validate_yield(const ContactProblem& problem) {
           "The layer's limit and friction both depend on the slip",
           "it hardens or softens, and friction falls with slip velocity or temperature",
           "Leave out one: a hardening of 0, or constant friction.");
+  if (!problem.yield->temperatures.empty() || !problem.yield->shears.empty())
+    validate_yield_by_heat(problem);
   if (hardening >= 0)
     return;
   const std::vector<double> stiffness = element_stiffness(problem);

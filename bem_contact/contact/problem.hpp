@@ -60,7 +60,7 @@ struct ContactConditions {
   double kinetic = 1;    ///< mu of slip over mu of adhesion, in (0, 1]
   /// Of a layer between the surfaces, in each of its elements; empty: it bears whatever friction does. The
   /// layer's compliance stands in the influence numbers (layer.hpp). Hardening excludes friction that varies,
-  /// yield excludes kinetic < 1.
+  /// yield excludes kinetic < 1. A limit that depends on temperature needs `heating`.
   std::optional<YieldLimit> yield;
   /// Prescribed shear forces on the rail, N: sum p_x dS and sum p_s cos(delta - reference_delta) dS. For each
   /// of them solve() finds a creepage (shift: mm) and adds it to the rigid slip: ContactResult::creepage_x to
@@ -113,16 +113,18 @@ struct ContactProblem : ContactConditions {
   bool friction_falls_with_heat() const {
     return heating && heating->friction && heating->friction->ratio != 1;
   }
+  /// Says whether what the layer bears depends on the temperature of the surfaces.
+  bool layer_softens_by_heat() const { return heating && yield && yield->softens_by_heat(); }
+  /// Says whether the tractions depend on the temperature of the surfaces.
+  bool heat_acts() const { return friction_falls_with_heat() || layer_softens_by_heat(); }
   /// Says whether what the layer bears depends on its plastic slip.
   bool hardens() const { return yield && yield->hardening != 0; }
   /// Says whether mu depends on slip velocity or temperature.
   bool friction_varies() const { return friction_falls() || friction_falls_with_heat(); }
+  /// Says whether what bounds shear depends on slip velocity or temperature.
+  bool bounds_vary() const { return friction_varies() || layer_softens_by_heat(); }
   /// Coulomb's law with one mu for adhesion and slip, and no layer that yields.
   bool is_coulomb() const { return kinetic == 1 && !friction_varies() && !yield; }
-  /// Says whether the layer of a row yields under this pressure before it slips at mu(0); MPa.
-  bool yields_first(int row, double pressure) const {
-    return yield && friction_of(row) * pressure > yield->shear;
-  }
   /// Says whether there is a tangential problem at all.
   bool has_friction() const { return tangential && largest_friction() > 0; }
   /// The slip along s on a row under a unit creepage along s: cos(delta - reference_delta).

@@ -83,7 +83,9 @@ double shear_bound(const ContactProblem& problem, const ContactResult& result, i
   if (!problem.yield || (problem.hardens() && result.plastic.empty()))
     return friction;
   const double plastic = problem.hardens() ? result.plastic[i] : 0;
-  return std::min(friction, std::max(0.0, problem.yield->shear + problem.yield->hardening * plastic));
+  const double limit =
+      result.temperatures ? problem.yield->at(result.temperatures->mean(i)) : problem.yield->shear;
+  return std::min(friction, std::max(0.0, limit + problem.yield->hardening * plastic));
 }
 
 double friction_bound(const ContactProblem& problem, const ContactResult& result) {

@@ -99,16 +99,20 @@ void fill_fields(const ContactProblem& problem, const contact::Solution& solutio
 std::vector<double> plastic_slip(const ContactProblem& problem, const contact::Solution& solution) {
   const std::size_t n = problem.grid.size();
   const VectorXd &p = solution.shear.p, &slip = solution.shear.slip, &bound = solution.task.bound;
+  const VectorXd& limits = solution.task.limits;
   std::vector<double> friction(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const bool slides = !problem.hardens() && bound[i] < problem.yield->shear; // friction may vary
+    const double limit = limits.size() > 0 ? limits[i] : problem.yield->shear;
+    const bool slides = !problem.hardens() && bound[i] < limit; // friction may vary
     friction[i] = slides ? bound[i] : problem.friction_of(int(i) / problem.grid.mx) * solution.normal.p[i];
   }
-  return contact::plastic_of(contact::PlasticSlip(problem).answers({.px = {p.data(), n},
-                                                                    .ps = {p.data() + n, n},
-                                                                    .slip_x = {slip.data(), n},
-                                                                    .slip_s = {slip.data() + n, n},
-                                                                    .friction = friction}));
+  return contact::plastic_of(
+      contact::PlasticSlip(problem).answers({.px = {p.data(), n},
+                                             .ps = {p.data() + n, n},
+                                             .slip_x = {slip.data(), n},
+                                             .slip_s = {slip.data() + n, n},
+                                             .friction = friction,
+                                             .limits = {limits.data(), std::size_t(limits.size())}}));
 }
 
 /// Throws where friction leaves no equilibrium.

@@ -3,14 +3,13 @@
 #include "bem_contact/base/child_process.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
-#include "bem_contact/base/message_file.hpp"
 #include "bem_contact/base/temporary_folder.hpp"
+#include "bem_contact/base/told_program.hpp"
 
 #include <atomic>
 #include <fmt/format.h>
 #include <mutex>
 #include <thread>
-#include <unistd.h>
 
 namespace bem_contact::explore {
 
@@ -88,41 +87,10 @@ private:
 
   /// `width`: the share of the work that the program does.
   void run(std::vector<std::string> words, const NamedBody& body, double from, double width) {
-    const fs::path program = words.front();
-    MessageFile told(folder_ / (body.name + "_messages.txt"));
-    std::error_code unknown;
-    fs::remove(told.file(), unknown); // of the program before
-    words.insert(words.begin(), {"env", fmt::format("{}={}", message_file_variable, told.file().string())});
-    const ProgramLine line(words);
-    std::string errors, how;
-    const auto take = [&] {
-      for (const ToldMessage& message : told.next())
-        if (message.kind == Told::progress)
-          show("", from + message.share * width);
-        else if (message.kind == Told::error)
-          errors += (errors.empty() ? "" : " ") + message.text;
-    };
-    ChildProcess child(folder_ / (body.name + ".txt"), [&]() -> int {
-      line.become();
-      static_cast<void>(!write(STDERR_FILENO, "it cannot be started\n", 21));
-      _exit(1); // a normal end takes locks that other threads may have held
-    });
-    std::string last; // of what stands on standard error: a library may end the program
-    while (const auto said = child.next_line(&stop_, take)) {
-      last = *said;
-      take();
-    }
-    if (stop_)
-      return;
-    const int code = child.wait(how);
-    take();
-    if (code != 0)
-      throw Error(fmt::format("The {} has no influence functions", body.side),
-                  fmt::format("{}: {}", program.filename().string(),
-                              !errors.empty() ? errors
-                              : !last.empty() ? last
-                              : how.empty()   ? fmt::format("exit code {}", code)
-                                              : how),
+    const std::string why = run_told_program(std::move(words), folder_.path(), &stop_,
+                                             [&](double share) { show("", from + share * width); });
+    if (!why.empty())
+      throw Error(fmt::format("The {} has no influence functions", body.side), why,
                   "Change the scene, or save the body files and look at them.");
   }
 

@@ -1,4 +1,4 @@
-// The program answers. browser/reply.js stands here where a solver inside the page does; nothing else on the page
+// The program answers. reply_of_worker.js stands here where a solver inside the page does; nothing else on the page
 // knows which.
 const NOTE = "";
 const SILENT =

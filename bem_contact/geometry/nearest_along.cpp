@@ -25,21 +25,22 @@ NearestAlong::NearestAlong(UnevenSurfaces surfaces, const WheelFrame& frame, dou
   const double reach = std::sqrt(2 * (surfaces_.range() + uneven_margin) / wheel_radius) +
                        steepest * std::abs(frame.axle[0]) + uneven_step / wheel_radius;
   const int count = static_cast<int>(std::ceil(reach * wheel_radius / uneven_step));
-  for (int i = -count; i <= count; ++i) {
-    const double theta = i * uneven_step / wheel_radius;
-    samples_.push_back({theta, std::sin(theta), std::cos(theta), surfaces_.wheel(theta)});
-  }
+  for (int i = -count; i <= count; ++i)
+    samples_.push_back(sample(i * uneven_step / wheel_radius));
 }
 
-double NearestAlong::x_of(const Circle& c, double sine, double cosine, double depth) const {
-  return c.x0 + (c.radius - depth) * (cosine * frame_.down[0] + sine * frame_.forward[0]);
+NearestAlong::Sample NearestAlong::sample(double theta) const {
+  return {theta, std::sin(theta), std::cos(theta), surfaces_.wheel(theta)};
+}
+
+double NearestAlong::x_of(const Circle& c, const Sample& s) const {
+  return c.x0 + (c.radius - s.depth) * (s.cosine * frame_.down[0] + s.sine * frame_.forward[0]);
 }
 
 /// Along the normal, from the circle's centre towards the rail.
-double NearestAlong::reach(const Circle& c, double theta) const {
-  const double sine = std::sin(theta), cosine = std::cos(theta), depth = surfaces_.wheel(theta);
-  return (c.radius - depth) * (cosine * c.n_down + sine * c.n_forward) -
-         c.n_z * surfaces_.rail(x_of(c, sine, cosine, depth));
+double NearestAlong::reach(const Circle& c, const Sample& s) const {
+  return (c.radius - s.depth) * (s.cosine * c.n_down + s.sine * c.n_forward) -
+         c.n_z * surfaces_.rail(x_of(c, s));
 }
 
 /// The angle between two samples at which the reach falls below `least`.
@@ -49,7 +50,7 @@ double NearestAlong::end_of_stretch(const Circle& c, int inside, int outside, do
   double in = samples_[inside].theta, out = samples_[outside].theta;
   for (int i = 0; i < end_halvings; ++i) {
     const double middle = 0.5 * (in + out);
-    (reach(c, middle) >= least ? in : out) = middle;
+    (reach(c, sample(middle)) >= least ? in : out) = middle;
   }
   return in;
 }
@@ -59,13 +60,10 @@ NearestAlong::Place NearestAlong::at(Point2 section, const Vector3& normal) cons
                  dot(normal, frame_.forward), normal[2]};
   const int last = static_cast<int>(samples_.size()) - 1;
   std::vector<double> reaches(samples_.size());
-  std::ranges::transform(samples_, reaches.begin(), [&](const Sample& s) {
-    return (c.radius - s.depth) * (s.cosine * c.n_down + s.sine * c.n_forward) -
-           c.n_z * surfaces_.rail(x_of(c, s.sine, s.cosine, s.depth));
-  });
+  std::ranges::transform(samples_, reaches.begin(), [&](const Sample& s) { return reach(c, s); });
   const int best = static_cast<int>(std::ranges::max_element(reaches) - reaches.begin());
   const auto [at, least] = boost::math::tools::brent_find_minima(
-      [&](double angle) { return -reach(c, angle); }, samples_[std::max(best - 1, 0)].theta,
+      [&](double angle) { return -reach(c, sample(angle)); }, samples_[std::max(best - 1, 0)].theta,
       samples_[std::min(best + 1, last)].theta, std::numeric_limits<double>::digits / 2);
   Place out;
   const double most = std::max(-least, reaches[best]);
@@ -76,9 +74,7 @@ NearestAlong::Place NearestAlong::at(Point2 section, const Vector3& normal) cons
   for (int i = 0; i <= last; ++i)
     if (reaches[i] >= inside)
       first = std::min(first, i), end = std::max(end, i);
-  const auto x_at = [&](double angle) {
-    return x_of(c, std::sin(angle), std::cos(angle), surfaces_.wheel(angle));
-  };
+  const auto x_at = [&](double angle) { return x_of(c, sample(angle)); };
   double from = end_of_stretch(c, first, first - 1, inside), to = end_of_stretch(c, end, end + 1, inside);
   if (first == best && end == best && reaches[best] < inside) // narrower than a sample
     from = to = out.theta;

@@ -34,16 +34,18 @@ private:
   struct Circle {
     double radius, x0, n_down, n_forward, n_z;
   };
-  double x_of(const Circle& c, double sine, double cosine, double depth) const;
-  double reach(const Circle& c, double theta) const;
+  /// An angle on the wheel, and how much nearer to the axle the surface is there.
+  struct Sample {
+    double theta, sine, cosine, depth;
+  };
+  Sample sample(double theta) const;
+  double x_of(const Circle& c, const Sample& s) const;
+  double reach(const Circle& c, const Sample& s) const;
   double end_of_stretch(const Circle& c, int inside, int outside, double least) const;
 
   UnevenSurfaces surfaces_;
   WheelFrame frame_;
   double radius_ = 0;
-  struct Sample {
-    double theta, sine, cosine, depth;
-  };
   std::vector<Sample> samples_;
 };
 

@@ -1,5 +1,7 @@
 #include "bem_contact/geometry/unevenness.hpp"
 
+#include "bem_contact/base/error.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -27,6 +29,10 @@ double inside_circle(double radius, double half_angle, double angle) {
 }
 
 } // namespace
+
+void refuse_uneven(const std::string& problem, const std::string& why) {
+  throw InputError(problem, why, "Leave out wheel.flat, wheel.polygon and rail.joint.");
+}
 
 double depth_of_chord(double radius, double length) {
   return inside_circle(radius, std::asin(length / (2 * radius)), 0);

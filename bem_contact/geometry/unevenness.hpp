@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 namespace bem_contact {
@@ -54,6 +55,9 @@ struct Unevenness {
   bool given() const { return flat.given() || polygon.given() || joint.given(); } ///< any
   bool operator==(const Unevenness&) const = default;
 };
+
+/// Throws InputError: `problem` is asked of an uneven wheel or rail, and `why` it has no answer.
+[[noreturn]] void refuse_uneven(const std::string& problem, const std::string& why);
 
 /// The same as two functions, seen from the wheelset at its place.
 class UnevenSurfaces {

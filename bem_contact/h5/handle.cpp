@@ -24,7 +24,7 @@ H5Handle open_h5(const std::filesystem::path& file, H5Access access) {
   H5Pset_file_locking(list, false, true);
   if (change) // headers with checksums, as those of an image
     H5Pset_libver_bounds(list, H5F_LIBVER_V18, H5F_LIBVER_V18);
-  return {H5Fopen(file.c_str(), change ? H5F_ACC_RDWR : H5F_ACC_RDONLY, list), H5Fclose};
+  return {H5Fopen(file.string().c_str(), change ? H5F_ACC_RDWR : H5F_ACC_RDONLY, list), H5Fclose};
 }
 
 QuietHdf5::QuietHdf5() : turn_(one_at_a_time()) {

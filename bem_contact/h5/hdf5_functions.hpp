@@ -1,8 +1,10 @@
 #pragma once
 
-#include "bem_contact/base/loaded_library.hpp"
-
 #include <hdf5.h>
+
+#ifdef CONFORMAL_HDF5_LIBRARY // else HDF5 is linked, and its declarations serve
+
+#include "bem_contact/base/loaded_library.hpp"
 
 /// Private to this room: what it uses of HDF5, in place of the declarations of hdf5.h. With HDF5 come 27
 /// libraries, which read files over networks; they are opened with the first file.
@@ -61,6 +63,7 @@ BEM_CONTACT_HDF5(H5Pset_alloc_time)
 BEM_CONTACT_HDF5(H5Pset_chunk)
 BEM_CONTACT_HDF5(H5Pset_deflate)
 BEM_CONTACT_HDF5(H5Pset_fapl_core)
+BEM_CONTACT_HDF5(H5Pset_edc_check)
 BEM_CONTACT_HDF5(H5Pset_file_image_callbacks)
 BEM_CONTACT_HDF5(H5Pset_file_locking)
 BEM_CONTACT_HDF5(H5Pset_fill_time)
@@ -95,6 +98,7 @@ BEM_CONTACT_HDF5(H5open)
 
 #define BEM_CONTACT_HDF5(name) BEM_CONTACT_LOADED_VARIABLE(hdf5_library, name)
 BEM_CONTACT_HDF5(H5P_CLS_DATASET_CREATE_ID_g)
+BEM_CONTACT_HDF5(H5P_CLS_DATASET_XFER_ID_g)
 BEM_CONTACT_HDF5(H5P_CLS_FILE_ACCESS_ID_g)
 BEM_CONTACT_HDF5(H5P_CLS_FILE_CREATE_ID_g)
 BEM_CONTACT_HDF5(H5P_CLS_GROUP_CREATE_ID_g)
@@ -111,3 +115,5 @@ BEM_CONTACT_HDF5(H5T_STD_U8LE_g)
 #undef BEM_CONTACT_HDF5
 
 } // namespace bem_contact
+
+#endif

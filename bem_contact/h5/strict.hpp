@@ -58,7 +58,8 @@ std::vector<double> read_table(H5Id at, const char* name, Shape shape);
 struct Columns {
   Extent first, count;
 };
-/// Reads runs of columns, which ascend, of a table of two extents: column by column.
+/// Reads runs of columns, which ascend, of a table of two extents: column by column. HDF5's own checksums are
+/// not looked at: a sum of the whole file has to hold before (influence/file_seal.hpp).
 std::vector<double> read_columns(H5Id at, const char* name, Shape shape, std::span<const Columns> runs);
 
 } // namespace bem_contact::strict_h5

@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/system/files.hpp"
 #include "bem_contact/h5/dataset.hpp"
 #include "bem_contact/h5/entries.hpp"
 #include "bem_contact/h5/handle.hpp"
@@ -11,12 +12,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
-#include <fcntl.h>
 #include <functional>
 #include <ostream>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 
 namespace bem_contact {
@@ -171,7 +171,7 @@ struct H5Writer::Impl {
     if (root >= 0)
       H5Fclose(root);
     if (descriptor >= 0)
-      close(descriptor);
+      system::close_file(descriptor);
   }
 
   void check(bool success, const std::string& what) const { check_writing(success, whole.file(), what); }
@@ -183,8 +183,8 @@ struct H5Writer::Impl {
     if (root >= 0)
       H5Fget_filesize(root, &used);
     const std::size_t bytes = table_bytes + object_bytes * objects + sizeof(double) * values;
-    const int error = posix_fallocate(descriptor, static_cast<off_t>(used), static_cast<off_t>(bytes));
-    check(error == 0, std::generic_category().message(error));
+    const bool reserved = system::reserve(descriptor, used, bytes);
+    check(reserved, std::generic_category().message(errno));
   }
 
   /// As in an image: a chunk in the older layout takes kilobytes besides, and its place has no checksum.
@@ -197,12 +197,12 @@ struct H5Writer::Impl {
   }
 
   /// Gives back what was reserved and is not needed: most of a small file.
-  void cut_off_reserve() const {
+  void cut_off_reserve() {
     std::array<char, superblock_bytes> superblock{};
-    const bool read =
-        pread(descriptor, superblock.data(), superblock.size(), 0) == static_cast<ssize_t>(superblock.size());
-    check(read && ftruncate(descriptor, static_cast<off_t>(end_of_file(superblock.data()))) == 0,
+    check(system::read_begin(descriptor, superblock) &&
+              system::set_size(descriptor, end_of_file(superblock.data())),
           "its end cannot be cut off");
+    system::close_file(std::exchange(descriptor, -1)); // some systems rename no file that is open
   }
 };
 
@@ -211,7 +211,7 @@ H5Writer::H5Writer(const std::filesystem::path& file) : impl_(std::make_unique<I
   const std::filesystem::path& temporary = impl_->whole.temporary();
   const H5Image empty({}, [](hid_t) {});
   write_whole(temporary, [&](std::ostream& out) { out << empty; });
-  impl_->descriptor = open(temporary.c_str(), O_RDWR | O_CLOEXEC);
+  impl_->descriptor = system::open_file(temporary, system::OpenFor::changing);
   impl_->root = open_h5(temporary, H5Access::change).release();
   impl_->check(impl_->descriptor >= 0 && impl_->root >= 0, "it cannot be created");
 }

@@ -2,9 +2,9 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/quick_checksum.hpp"
 #include "bem_contact/base/sha256.hpp"
 
-#include <array>
 #include <cstring>
 #include <fmt/format.h>
 #include <fstream>
@@ -31,17 +31,27 @@ std::ifstream open_file(const std::filesystem::path& file) {
   return in;
 }
 
-std::array<char, seal_size> make_seal(int major, int minor, std::size_t bytes, const std::string& hash) {
-  std::array<char, seal_size> seal{};
-  fmt::format_to(seal.data(), "{}\nformat {}.{}\nbytes {}\nsha256 {}\n", title, major, minor, bytes, hash);
-  return seal;
+/// The first four lines.
+std::string four_lines(int major, int minor, std::size_t bytes, const std::string& hash) {
+  return fmt::format("{}\nformat {}.{}\nbytes {}\nsha256 {}\n", title, major, minor, bytes, hash);
+}
+
+std::string fifth_line(const std::string& checksum) {
+  return fmt::format("xxh3 {}\n", checksum);
+}
+
+/// The text, then zeros.
+std::string padded(std::string text) {
+  text.resize(seal_size, '\0');
+  return text;
 }
 
 } // namespace
 
 void seal(std::span<std::byte> whole_file, int format_major, int format_minor) {
-  const auto text =
-      make_seal(format_major, format_minor, whole_file.size(), sha256({whole_file.subspan(seal_size)}));
+  const std::span<const std::byte> contents = whole_file.subspan(seal_size);
+  const std::string lines = four_lines(format_major, format_minor, whole_file.size(), sha256({contents}));
+  const std::string text = padded(lines + fifth_line(quick_checksum(lines, contents)));
   std::memcpy(whole_file.data(), text.data(), text.size());
 }
 
@@ -80,7 +90,8 @@ std::string check_seal(const std::filesystem::path& file, int format_major) {
   int major = 0, minor = 0;
   char dot = 0;
   std::size_t size = 0;
-  head >> word >> major >> dot >> minor >> word >> size;
+  std::string hash;
+  head >> word >> major >> dot >> minor >> word >> size >> word >> hash;
   if (!head)
     throw InputError("The influence file " + name + " is damaged", "its first 512 bytes cannot be read",
                      again);
@@ -91,9 +102,9 @@ std::string check_seal(const std::filesystem::path& file, int format_major) {
   if (found < size || found < seal_size)
     throw InputError("The influence file " + name + " is truncated",
                      fmt::format("it holds {} of {} bytes", found, size), again);
-  const std::string hash = sha256_of_rest(in);
-  const auto expected = make_seal(major, minor, found, hash);
-  if (std::memcmp(expected.data(), first.data(), seal_size) != 0)
+  const bool quick = head >> word && word == "xxh3";
+  const std::string lines = four_lines(major, minor, found, quick ? hash : sha256_of_rest(in));
+  if (first != padded(quick ? lines + fifth_line(quick_checksum(lines, in)) : lines))
     throw InputError("The influence file " + name + " was altered", "its checksum does not hold", again);
   return hash;
 }

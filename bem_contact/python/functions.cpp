@@ -1,5 +1,6 @@
 #include "bem_contact/python/functions.hpp"
 
+#include "bem_contact/base/comma_separated.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/python/executors.hpp"
 #include "bem_contact/python/record_object.hpp"
@@ -8,6 +9,7 @@
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/scene/absolute_names.hpp"
+#include "bem_contact/scene/csv_table.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/uses/curves/creep_record.hpp"
@@ -129,10 +131,20 @@ CreepSolver points_shared_by(const py::object& executor, const SceneText& scene,
   };
 }
 
+/// A table that was measured.
+struct GivenTable {
+  std::string source;
+  std::vector<std::string> columns;
+  std::vector<std::vector<double>> rows;
+};
+
 /// A CSV file, or a dict of columns.
-MeasuredForces measured_of(const py::object& given) {
-  if (!py::isinstance<py::dict>(given))
-    return read_measured_forces(path_of(given));
+GivenTable table_of(const py::object& given) {
+  if (!py::isinstance<py::dict>(given)) {
+    const std::filesystem::path file = path_of(given);
+    const std::vector<std::string> columns = csv_columns(file);
+    return {file.string(), columns, read_csv(file, columns)};
+  }
   std::vector<std::string> columns;
   std::vector<std::vector<double>> rows;
   for (const auto& [name, values] : py::reinterpret_borrow<py::dict>(given)) {
@@ -147,7 +159,27 @@ MeasuredForces measured_of(const py::object& given) {
     for (std::size_t i = 0; i < rows.size(); ++i)
       rows[i].push_back(numbers[i]);
   }
-  return measured_forces("measured", columns, rows);
+  return {"measured", columns, rows};
+}
+
+MeasuredForces measured_of(const py::object& given) {
+  const GivenTable table = table_of(given);
+  return measured_forces(table.source, table.columns, table.rows);
+}
+
+/// One table, or a list of them.
+fit::Measurements measurements_of(const py::object& given) {
+  fit::Measurements out;
+  const auto add = [&](const py::object& one) {
+    const GivenTable table = table_of(one);
+    add_measured(out, table.source, table.columns, table.rows);
+  };
+  if (py::isinstance<py::list>(given) || py::isinstance<py::tuple>(given))
+    for (const py::handle one : given)
+      add(py::reinterpret_borrow<py::object>(one));
+  else
+    add(given);
+  return out;
 }
 
 py::dict curves(const py::object& scene, const py::object& changes, const py::object& model,
@@ -179,7 +211,7 @@ py::dict curves(const py::object& scene, const py::object& changes, const py::ob
 /// One text with commas between, or several.
 std::vector<std::string> keys_of(const py::object& given) {
   if (py::isinstance<py::str>(given))
-    return fit::keys_in(text_of(given, "a key"));
+    return comma_separated(text_of(given, "a key"));
   if (!py::isinstance<py::iterable>(given))
     refuse_type("The parameters cannot be used", std::string(py::str(py::type::of(given))) + " is no list",
                 "Give a list of keys, as [\"layer.compliance\"].");
@@ -194,7 +226,7 @@ py::dict fit_forces(const py::object& scene, const py::object& measured, const p
   const fit::Question question{.text = scene_of(scene, folder),
                                .changes = changes_of(changes),
                                .model = model_of(model),
-                               .measured = measured_of(measured),
+                               .measured = measurements_of(measured),
                                .keys = keys_of(parameters)};
   return as_dict(stoppable(
       [question](const std::atomic<bool>* stop) { return record_of(fit::fit_curve(question, stop)); }));
@@ -248,14 +280,17 @@ void add_functions(py::module_& module) {
   module.def(
       "fit", fit_forces, "scene"_a, "measured"_a, "parameters"_a, "changes"_a = py::none(),
       "model"_a = py::none(), py::kw_only(), "folder"_a = py::none(),
-      "Keys of a scene by measured forces, by least squares. `scene`, `changes`, `model`: as solve() takes "
-      "them; their values are the first guess. `measured`: a CSV file, or a dict of columns: a creepage (xi, "
-      "eta, phi), a force (Fx, Fs, Mz), and the scatter of the force where it is known. `parameters`: keys, "
+      "Keys of a scene by measured forces or pressures, by least squares. `scene`, `changes`, `model`: as "
+      "solve() takes them; their values are the first guess. `measured`: a CSV file, or a dict of columns, "
+      "or "
+      "a list of these: a creepage (xi, eta, phi), a force (Fx, Fs, Mz), and the scatter of the force where "
+      "it "
+      "is known; or s,pn or x,pn (mm, MPa: the largest pressure along the other axis). `parameters`: keys, "
       "as [\"layer.compliance\", \"motion.friction\"]. A dict: \"parameters\" ({key: {\"value\", \"low\", "
       "\"high\", \"standard_error\", ...}}, intervals of 95 % by a bootstrap of the points), "
       "\"correlation\", "
-      "\"not_determined\" (what the points do not say), \"band\", \"measured\", and what creep_curves() "
-      "gives at the found values. N, mm.");
+      "\"not_determined\" (what the points do not say), \"measured\" (\"measured_2\" ...) and \"pressures\", "
+      "and with forces \"band\" and what creep_curves() gives at the found values. N, mm.");
   module.def("_creep_part", &solve_creep_part, "scene"_a, "changes"_a, "held"_a, "points"_a);
   module.def(
       "wheelset", wheelset, "scene"_a, "changes"_a = py::none(), "model"_a = py::none(), py::kw_only(),

@@ -49,8 +49,9 @@ py::dict dict_of(const table::ContactTable& t) {
   for (const table::Column& c : t.columns) {
     values[c.name.c_str()] = py::array_t<double>(shape, c.values.data());
     units[c.name.c_str()] = c.unit;
-    errors[c.name.c_str()] = py::dict("interpolation"_a = c.interpolation_error,
-                                      "elements"_a = c.element_error, "scale"_a = c.scale, "held"_a = c.held);
+    errors[c.name.c_str()] =
+        py::dict("interpolation"_a = c.interpolation_error, "elements"_a = c.element_error,
+                 "stated"_a = c.error(), "scale"_a = c.scale, "held"_a = c.held);
   }
   py::object scale = py::none();
   if (t.scale)
@@ -288,7 +289,8 @@ void add_table(py::module_& module) {
       "its own table [table]; `hold` names the numbers whose error is kept within the tolerance. A dict: "
       "\"axes\", \"first\" (of creep forces: where on an axis the points begin that belong to each point of "
       "the axes before it), \"values\" (an array over all axes for each number; of creep forces over all "
-      "points), \"errors\" (interpolation, elements, scale, held), \"units\", \"creep_scale\". `output`: an "
+      "points), \"errors\" (interpolation, elements, stated: both, scale, held), \"units\", \"creep_scale\". "
+      "`output`: an "
       "HDF5 file, too. `executor`: any of concurrent.futures, or with its methods, shares the points. Then "
       "the "
       "numbers are those of the program, however many share them.");

@@ -25,6 +25,18 @@ std::string key_text(const std::string& key, const Record& found) {
                      : text + ".";
 }
 
+/// "With this the 13 points of Fx over xi are 1.55e+03 N off (root of the mean square)."; "" of other parts.
+std::string misfit_text(const Record& measured) {
+  const auto misfit = stated_at(measured, "misfit");
+  const auto creepage = text_at(measured, "creepage"), over = text_at(measured, "over");
+  if (!misfit || !(creepage || over))
+    return "";
+  return fmt::format("With this the {} points of {} over {} are {:.3g} {} off (root of the mean square).",
+                     values_at(measured, "points/measured").size(),
+                     text_at(measured, "force").value_or("pressure"), creepage ? *creepage : *over,
+                     misfit->value, misfit->unit);
+}
+
 } // namespace
 
 Found of_fit(const Record& r) {
@@ -34,12 +46,10 @@ Found of_fit(const Record& r) {
   for (const Entry& entry : part(r, "parameters").entries())
     if (const auto* key = std::get_if<Record>(&entry.content))
       add_if(found.sentences, key_text(entry.name, *key));
-  const auto force = text_at(r, "measured/force"), creepage = text_at(r, "measured/creepage");
-  if (const auto misfit = stated_at(r, "misfit"); misfit && force && creepage)
-    found.sentences.push_back(fmt::format("With this the {} points of {} over {} are {:.3g} {} off "
-                                          "(root of the mean square).",
-                                          values_at(r, "measured/points/measured").size(), *force, *creepage,
-                                          misfit->value, misfit->unit));
+  for (const Entry& entry : r.entries())
+    if (const auto* measured = std::get_if<Record>(&entry.content))
+      add_if(found.sentences, misfit_text(*measured));
+  const auto creepage = text_at(r, "measured/creepage");
   const auto slope = stated_at(r, "slopes", 0), kalker = stated_at(r, "kalker", 0);
   if (slope && kalker && creepage == "xi")
     found.sentences.push_back(fmt::format("Where nothing slides yet Fx grows with {:.2f} of Kalker's slope.",

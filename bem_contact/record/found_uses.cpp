@@ -2,8 +2,10 @@
 #include "bem_contact/record/error_text.hpp"
 #include "bem_contact/record/found.hpp"
 #include "bem_contact/record/found_parts.hpp"
+#include "bem_contact/record/outcome.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <fmt/format.h>
@@ -26,19 +28,12 @@ std::string four_digits(double value) {
   return rounded(value, std::nan(""));
 }
 
-/// "21 of 22 cases are certified; 1 was refused."
+/// "21 of 22 cases are certified; refused: 1."
 std::string cases_text(const Record& r) {
-  const auto cases = std::ptrdiff_t(values_at(r, "status").size());
-  std::string out = fmt::format("{} of {} certified", count_at(r, "certified_count"),
-                                counted(cases, "case is", "cases are"));
-  for (const auto& [name, words] : {std::pair{"not_certified_count", "not certified"},
-                                    {"refused_count", "refused"},
-                                    {"died_count", "died"},
-                                    {"failed_count", "failed"},
-                                    {"missing_count", "missing"}})
-    if (const double count = count_at(r, name); count > 0)
-      out += fmt::format("; {}: {}", words, count);
-  return out + ".";
+  std::array<std::size_t, outcomes_of_cases> counts{};
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    counts[k] = static_cast<std::size_t>(count_at(r, count_name(static_cast<Outcome>(k)).c_str()));
+  return counts_text(counts);
 }
 
 /// "position.lateral 5 mm (case 3)": keys that were swept over have a dot. Of more than two only the case's

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <exception>
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace bem_contact::record {
@@ -28,6 +30,12 @@ inline constexpr std::size_t outcomes_of_cases = 6;
 
 /// How what threw this has ended.
 Outcome outcome_of(const std::exception& error);
+
+/// "not_certified_count": under this name a file has how many cases ended so.
+std::string count_name(Outcome outcome);
+
+/// "3 of 4 cases are certified; refused: 1." Counts by outcome.
+std::string counts_text(std::span<const std::size_t, outcomes_of_cases> counts);
 
 } // namespace bem_contact::record
 

@@ -66,6 +66,19 @@ const creepFigure = (data, which) => {
                                         legend: ABOVE, margin: {r: 70}}};
 };
 
+/// A line of pressures: points as measured, and as computed there.
+const measuredPressuresFigure = ({points, attributes: {over}}) => {
+  const at = points[over].values, order = at.map((_, i) => i).sort((a, b) => at[a] - at[b]);
+  const along = name => order.map(i => points[name].values[i]);
+  return {height: 340,
+          traces: [{...lineOver(along(over), along("computed"), "as computed", {...FORCES.Fx, mark: "circle"})},
+                   {type: "scatter", mode: "markers", x: along(over), y: along("measured"), name: "as measured",
+                    marker: {symbol: "square-open", size: 8, color: INK, line: {width: 1.5}},
+                    error_y: points.scatter &&
+                        {type: "data", array: along("scatter"), thickness: 1, width: 4, color: INK}}],
+          layout: {xaxis: {title: `${over}, mm`}, yaxis: {title: "pressure, MPa"}, legend: ABOVE}};
+};
+
 /// The time of a replay, carried along with its steps.
 const TIME = "note.time";
 

@@ -108,7 +108,7 @@ const SWEEP = {
   }};
 
 /// What was measured, point by point, beside what is computed there.
-const addMeasured = measured => {
+const addMeasured = (measured, id = "measured") => {
   if (!measured)
     return;
   const {points, attributes: {force, creepage}} = measured, unit = unitText(points.measured.unit),
@@ -134,7 +134,23 @@ const addMeasured = measured => {
                   [number(at), number(column("measured")[i]), ...scatter.map(() => number(column("scatter")[i])),
                    number(column("computed")[i], column("computed_error")[i]), number(column("difference")[i]),
                    share(i)]),
-      {numbers: [0, 1, 2, 3, 4, 5], id: "measured"});
+      {numbers: [0, 1, 2, 3, 4, 5], id});
+};
+
+/// "pressures", "pressures_2" ... of a fit.
+const tablesNamed = (data, name) => Object.keys(data).filter(key => new RegExp(`^${name}(_\\d+)?$`).test(key));
+
+/// A line of pressures as measured and as computed.
+const addPressures = (line, id) => {
+  const {points, attributes: {over}} = line, column = name => points[name].values;
+  add("h2", "Pressures beside what was measured");
+  add("p",
+      `Computed less measured pressures are ${number(valueOf(line, "mean_difference"))} MPa in the mean and ` +
+          `${number(valueOf(line, "largest_difference"))} MPa at most.`);
+  addTable("Pressures as measured and as computed", [`${over}, mm`, "measured, MPa", "computed, MPa", "difference"],
+           column(over).map((at, i) => [number(at), ...["measured", "computed", "difference"].map(
+               name => number(column(name)[i]))]),
+           {numbers: [0, 1, 2, 3], id});
 };
 
 const CREEP_CAPTION = "; the other two creepages stay as in the scene. With little creepage a force grows along the " +
@@ -143,12 +159,18 @@ const CREEP_CAPTION = "; the other two creepages stay as in the scene. With litt
 const creepFigures = () => ["xi", "eta", "phi"].filter(which => data.curves?.[which]).map(which =>
   [`curve-${which}`, `Forces over the ${words(which)}${CREEP_CAPTION}`, creepFigure(data, which)]);
 
+const pressureFigures = () => tablesNamed(data, "pressures").map(key =>
+  [`${key}-figure`, `Pressures over ${data[key].attributes.over}, as measured and as computed.`,
+   measuredPressuresFigure(data[key])]);
+const curveFigures = () => [...creepFigures(), ...pressureFigures()];
+
 const CREEP_CURVES = {
-  picture: () => creepFigures()[0],
+  picture: () => curveFigures()[0],
   warnings: () => [["", {group: data}]],
-  figures: () => creepFigures().slice(1).forEach(one => addFigure(...one)),
+  figures: () => curveFigures().slice(1).forEach(one => addFigure(...one)),
   tables: () => {
-    addMeasured(data.measured);
+    tablesNamed(data, "measured").forEach(key => addMeasured(data[key], key));
+    tablesNamed(data, "pressures").forEach(key => addPressures(data[key], key));
     const matrix = (name, caption) =>
         data[name] &&
         addTable(

@@ -100,7 +100,8 @@ const sceneInWords = () => {
         countsText(outcome => valueOf(data, `${outcome.replace(" ", "_")}_count`) ?? 0) + ".");
   if (["creep curves", "fit"].includes(report.kind))
     out.push(`The scene ${data.attributes.scene.split("/").pop()}, model ${data.attributes.model}: vertical force ` +
-             `${number(valueOf(data, "Fz"))} N, friction bound μ Fn = ${number(valueOf(data, "bound"))} N.`);
+             `${number(valueOf(data, "Fz"))} N` +
+             (data.bound === undefined ? "." : `, friction bound μ Fn = ${number(valueOf(data, "bound"))} N.`));
   if (report.kind === "wear")
     out.push(
         `${data.step.values.length - 1} steps, ${number(data.mileage.values.at(-1))} km: the rail has lost ` +

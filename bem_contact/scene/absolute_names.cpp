@@ -9,8 +9,6 @@
 
 namespace bem_contact {
 
-namespace {
-
 std::string absolute_name(const std::string& text, const std::filesystem::path& folder) {
   if (text.empty() || is_standard_profile(text))
     return text;
@@ -21,6 +19,8 @@ std::string absolute_name(const std::string& text, const std::filesystem::path& 
              text.substr(end);
   return text;
 }
+
+namespace {
 
 void make_absolute(toml::node& node, const std::filesystem::path& folder) {
   if (toml::table* table = node.as_table())

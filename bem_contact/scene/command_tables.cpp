@@ -1,7 +1,9 @@
 #include "bem_contact/scene/command_tables.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/toml.hpp"
+#include "bem_contact/scene/absolute_names.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 
 #include <algorithm>
@@ -17,10 +19,11 @@ constexpr std::string_view of_compare[] = {"models", "strict", "threads"},
                            of_conicity[] = {"roll", "step", "to"},
                            of_creep_curves[] = {"eta", "jobs", "model", "phi", "strict", "xi"},
                            of_fatigue[] = {"damage", "nodes", "wear_is_negative", "yield_shear"},
+                           of_fit[] = {"measured", "model", "parameters", "strict"},
                            of_replay[] = {"columns", "compare",   "jobs",  "model",
                                           "strict",  "tolerance", "wheel", "wheels"},
-                           of_shakedown[] = {"crossland", "dang_van", "fatigue_limit",
-                                             "in_plane",  "steel",    "yield_shear"},
+                           of_shakedown[] = {"body",     "crossland",      "dang_van", "fatigue_limit",
+                                             "in_plane", "initial_stress", "steel",    "yield_shear"},
                            of_table[] = {"jobs", "model", "most_points", "tolerance"},
                            of_wear[] = {"body",      "cap", "depth", "hardness", "influence", "jobs",
                                         "kept_turn", "law", "model", "passages", "smoothing", "speed"};
@@ -31,9 +34,9 @@ struct OptionTable {
   std::span<const std::string_view> keys;
 };
 constexpr OptionTable option_tables[] = {
-    {"compare", of_compare}, {"conicity", of_conicity}, {"creep_curves", of_creep_curves},
-    {"fatigue", of_fatigue}, {"replay", of_replay},     {"shakedown", of_shakedown},
-    {"table", of_table},     {"wear", of_wear}};
+    {"compare", of_compare},     {"conicity", of_conicity}, {"creep_curves", of_creep_curves},
+    {"fatigue", of_fatigue},     {"fit", of_fit},           {"replay", of_replay},
+    {"shakedown", of_shakedown}, {"table", of_table},       {"wear", of_wear}};
 
 void require_known(const std::string& table, const std::string& key, const std::string& where) {
   std::vector<std::string> names = keys_of_table(table);
@@ -74,6 +77,30 @@ void require_known_options(const SceneText& scene) {
         if (table.name != "table" || !(node.is_table() || node.is_array())) // its axes are keys of the scene
           require_known(std::string(table.name), std::string(name.str()),
                         fmt::format("{}:{}: ", scene.source, name.source().begin.line));
+}
+
+std::vector<std::string> files_of_table(const SceneText& scene, std::string_view table) {
+  std::vector<std::string> out;
+  const auto take = [&](const toml::node& node) {
+    const auto* text = node.as_string();
+    if (!text)
+      return;
+    const std::string file = absolute_name(text->get(), scene.folder);
+    if (is_regular(file))
+      out.push_back(file);
+  };
+  try {
+    const toml::table root = parse_toml(scene.toml, scene.source);
+    if (const toml::table* values = root[table].as_table())
+      for (const auto& [name, node] : *values)
+        if (const toml::array* list = node.as_array())
+          for (const toml::node& one : *list)
+            take(one);
+        else
+          take(node);
+  } catch (const toml::parse_error&) { // whoever reads the scene says what is wrong
+  }
+  return out;
 }
 
 std::string text_for(const SceneText& scene, std::initializer_list<std::string_view> kept,

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace bem_contact {
 
@@ -13,7 +14,7 @@ namespace bem_contact {
 /// table [wear] is one of a scene (the wear map) and of a command.
 inline constexpr std::string_view command_tables[] = {"sweep",     "table",     "creep_curves", "conicity",
                                                       "fatigue",   "shakedown", "compare",      "uncertainty",
-                                                      "influence", "replay"};
+                                                      "influence", "replay",    "fit"};
 
 /// Keys of such a table, or of [wear], that are options of the command of its name; none of a table that has
 /// none, or is read elsewhere. Lists of [table] are axes.
@@ -22,6 +23,9 @@ std::span<const std::string_view> option_keys(std::string_view table);
 /// Throws InputError, with file and line, for a key that none of these tables has. A text that is no TOML
 /// passes: whoever reads it says what is wrong.
 void require_known_options(const SceneText& scene);
+
+/// The files that such a table names, as texts or in lists of texts, with names that hold from any folder.
+std::vector<std::string> files_of_table(const SceneText& scene, std::string_view table);
 
 /// The text of a scene without the tables of commands that are not `kept`, and without comments: what an
 /// answer that uses these tables depends on. Each `left_out` ("wear.depth") is missing, too. A text that is

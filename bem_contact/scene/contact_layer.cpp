@@ -54,7 +54,10 @@ ContactLayer read_layer(const SceneFile& scene) {
   if (!asked.table.empty())
     out.table = read_compliances(scene.folder / asked.table);
   out.slope = asked.slope;
-  if (asked.yield_shear)
+  if (!asked.yield_shears.empty())
+    out.yield =
+        YieldLimit{asked.yield_shears.front(), asked.hardening, asked.yield_temperatures, asked.yield_shears};
+  else if (asked.yield_shear)
     out.yield = YieldLimit{*asked.yield_shear, asked.hardening};
   return out;
 }

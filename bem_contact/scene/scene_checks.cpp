@@ -321,44 +321,9 @@ void check_memory(const SceneFile& f, const Schema& s) {
              "Give motion.falling_friction or polach_a, or leave it out.");
   if (f.motion.kind != MotionKind::steady)
     s.refuse("motion.friction_memory", "it is that of steady rolling", "Choose motion.kind = \"steady\".");
-  if (f.layer.yield_shear)
-    s.refuse("motion.friction_memory", "the layer yields (layer.yield_shear)", "Give one of the two.");
-}
-
-void check_layer(const SceneFile& f, const Schema& s) {
-  const SceneFile::Layer& layer = f.layer;
-  if (layer.shear_modulus.has_value() != layer.thickness.has_value())
-    s.refuse(layer.shear_modulus ? "layer.shear_modulus" : "layer.thickness",
-             fmt::format("layer.{} is not given", layer.shear_modulus ? "thickness" : "shear_modulus"),
-             "Give both: the compliance is thickness / shear_modulus.");
-  const char* first = nullptr;
-  for (const auto& [key, given] : {std::pair{"layer.compliance", layer.compliance.has_value()},
-                                   {"layer.shear_modulus", layer.shear_modulus.has_value()},
-                                   {"layer.table", !layer.table.empty()},
-                                   {"layer.slope", layer.slope.has_value()}}) {
-    if (given && first)
-      s.refuse(key, fmt::format("{} is given too", first), "Give one of the two.");
-    if (given)
-      first = key;
-  }
-  if (layer.slope && f.motion.frictionless)
-    s.refuse("layer.slope", "without friction there is no shear force", "Leave it out.");
-  if (layer.slope && f.motion.kind != MotionKind::steady)
-    s.refuse("layer.slope", "it is the slope of steady rolling",
-             "Choose motion.kind = \"steady\", or give layer.compliance.");
-  if (layer.hardening != 0 && !layer.yield_shear)
-    s.refuse("layer.hardening", "layer.yield_shear is not given",
-             "Give the traction at which the layer yields.");
-  if (layer.yield_shear && f.motion.kinetic_friction)
-    s.refuse("layer.yield_shear", "motion.kinetic_friction is another law of what slips",
+  if (f.layer.yields())
+    s.refuse("motion.friction_memory", "the layer yields (layer.yield_shear, yield_shears)",
              "Give one of the two.");
-  const bool falls = f.motion.falling_friction || f.motion.polach_a || f.temperature.hot_friction;
-  if (layer.hardening != 0 && falls)
-    s.refuse("layer.hardening", "friction falls with slip velocity or temperature",
-             "Give a layer that does not harden, or constant friction.");
-  if (layer.normal_compliance > 0 && f.solver.model == Model::hertz)
-    s.refuse("layer.normal_compliance", "Hertz's closed form has no layer between the bodies",
-             "Choose another solver.model.");
 }
 
 /// Friction that depends on slip, slip velocity or temperature, and [temperature].

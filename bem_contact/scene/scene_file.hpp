@@ -236,8 +236,12 @@ struct SceneFile {
     std::optional<double> slope;
     double normal_compliance = 0;      ///< of pressure, mm^3/N
     std::optional<double> yield_shear; ///< traction at which it yields, MPa; empty: it does not
-    double hardening = 0;              ///< of yield_shear with its plastic slip, MPa/mm; below 0: it softens
+    /// Instead, by the mean temperature of both surfaces (degrees C, rising): MPa; both empty: not given.
+    std::vector<double> yield_temperatures, yield_shears;
+    double hardening = 0; ///< of yield_shear with its plastic slip, MPa/mm; below 0: it softens
 
+    /// Says whether either form of the limit is given.
+    bool yields() const { return yield_shear || !yield_shears.empty(); }
     bool operator==(const Layer&) const = default;
   } layer; ///< [layer]
 

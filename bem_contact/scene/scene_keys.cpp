@@ -90,6 +90,13 @@ void add_layer(Schema& s, SceneFile::Layer& layer) {
         "with or "
         "without a compliance; 0: it does not yield",
         {.unit = "MPa", .at_least = 0, .zero_is_none = true});
+  t.add("yield_temperatures", layer.yield_temperatures,
+        "With yield_shears: mean temperatures of both surfaces, rising; needs temperature.flash",
+        {.unit = "degC", .above = -273.15});
+  t.add("yield_shears", layer.yield_shears,
+        "Instead of yield_shear, at each of yield_temperatures: linear in between, constant beyond; none "
+        "larger than the one before",
+        {.unit = "MPa", .above = 0});
   t.add(
       "hardening", layer.hardening,
       "What yield_shear rises by with the plastic slip of the layer, which rolling carries along; below 0 it "

@@ -59,9 +59,9 @@ void apply_state(SceneFile& scene, const Schema& schema) {
   if (state->compliance > 0 &&
       !has_any({"layer.compliance", "layer.shear_modulus", "layer.thickness", "layer.table", "layer.slope"}))
     scene.layer.compliance = state->compliance;
-  if (state->yield_shear && !schema.has("layer.yield_shear"))
+  if (state->yield_shear && !has_any({"layer.yield_shear", "layer.yield_shears"}))
     scene.layer.yield_shear = state->yield_shear;
-  if (state->hardening && !schema.has("layer.hardening") && scene.layer.yield_shear)
+  if (state->hardening && !schema.has("layer.hardening") && scene.layer.yields())
     scene.layer.hardening = *state->hardening;
   SceneFile::Motion& motion = scene.motion;
   if (!state->friction || has_any({"motion.friction", "motion.friction_table"}))

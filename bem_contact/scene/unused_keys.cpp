@@ -43,6 +43,8 @@ std::vector<const char*> keys_of_friction(const SceneFile& f) {
                                 "layer.thickness",
                                 "layer.table",
                                 "layer.yield_shear",
+                                "layer.yield_temperatures",
+                                "layer.yield_shears",
                                 "layer.hardening",
                                 "motion.roller_speed",
                                 "motion.wheel_forward_velocity",

@@ -81,8 +81,8 @@ struct SceneMotion {
   /// wheel_rail: by how much the wheelset's centre is lower where the bodies first touch than wheel_radius
   /// above the rail, mm.
   std::optional<double> lowered;
-  /// Of a rail that is uneven along x: longitudinal force of the pressure on it, N. Fx is that of the shear
-  /// tractions.
+  /// Of an uneven wheel or rail: longitudinal force of the pressure on the rail, N, 0 where the wheel alone
+  /// is uneven. Fx is that of the shear tractions.
   std::optional<double> slope_force;
   /// Creepages at the reference point, with what was found for prescribed forces. wheel_rail: xi is counted
   /// from motion.rolling_radius, and phi is without the spin of the geometry. Shift: mm, mm and rad. 0

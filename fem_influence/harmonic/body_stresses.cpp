@@ -66,17 +66,23 @@ SurfaceTractions on_stations(const SurfaceTractions& t, std::span<const Station>
   return out;
 }
 
+/// Says whether the profile is above a point: beside the side of a thin body it is not.
+bool is_below(const ProfileCurve& curve, const BelowSurface& p) {
+  return p.s >= curve.s_begin() && p.s <= curve.s_end();
+}
+
+/// Beside the profile's ends as if it went on straight.
 Point2 position_of(const ProfileCurve& curve, const BelowSurface& p) {
-  const CurvePoint above = curve.at(p.s);
-  return above.position + p.depth * normal_of(above.delta);
+  const double s = std::clamp(p.s, curve.s_begin(), curve.s_end());
+  const CurvePoint above = curve.at(s);
+  return above.position + (p.s - s) * tangent_of(above.delta) + p.depth * normal_of(above.delta);
 }
 
 /// Mean curvature of the surface over the patch.
 double mean_curvature(const ProfileCurve& curve, const std::vector<BelowSurface>& points) {
   const auto [first, last] = std::ranges::minmax(points, {}, &BelowSurface::s);
-  const double length = last.s - first.s;
-  return length > 0 ? (curve.at(last.s).delta - curve.at(first.s).delta) / length
-                    : curve.at(first.s).curvature;
+  const double from = std::max(first.s, curve.s_begin()), to = std::min(last.s, curve.s_end());
+  return to > from ? (curve.at(to).delta - curve.at(from).delta) / (to - from) : curve.at(from).curvature;
 }
 
 /// Half of the shorter side of the smallest patch, mm.
@@ -91,20 +97,20 @@ double load_size(const SurfaceTractions& t) {
 struct AreaPlan {
   double least_depth = 0;                ///< mm
   std::vector<BelowSurface> probes;      ///< the points that are deep enough, then those of `columns`
-  std::vector<int> own;                  ///< of each point its probe; -1: above the least depth
+  std::vector<int> own;                  ///< of each point its probe; -1: above the least depth, or beside
   std::vector<std::size_t> first_helper; ///< of each point above it, the first of three probes; else 0
 
-  AreaPlan(const AreaStresses& area, double size, double station_width)
+  AreaPlan(const AreaStresses& area, const ProfileCurve& curve, double size, double station_width)
       : least_depth(std::max(least_depth_of_size * size, least_depth_of_station * station_width)) {
     for (const BelowSurface& p : area.points) {
-      own.push_back(p.depth >= least_depth ? static_cast<int>(probes.size()) : -1);
+      own.push_back(p.depth >= least_depth && is_below(curve, p) ? static_cast<int>(probes.size()) : -1);
       if (own.back() >= 0)
         probes.push_back(p);
     }
     std::vector<std::pair<double, std::size_t>> known; // arc lengths that have helpers
     for (std::size_t i = 0; i < area.points.size(); ++i) {
       first_helper.push_back(0);
-      if (own[i] >= 0)
+      if (own[i] >= 0 || !is_below(curve, area.points[i]))
         continue;
       const double s = area.points[i].s;
       const auto found = std::ranges::find(known, s, &std::pair<double, std::size_t>::first);
@@ -139,10 +145,10 @@ public:
                      .least_depth = 1e9,
                      .areas = {}};
     for (AreaStresses& area : out.areas) {
-      for (const BelowSurface& p : area.points)
-        require_on(p);
+      if (!area.section)
+        std::ranges::for_each(area.points, [&](const BelowSurface& p) { require_below(p); });
       const AreaPlan& plan = plans.emplace_back(
-          area, area.section ? area.section->size : load_size(tractions_), body_.strip.station_width);
+          area, curve_, area.section ? area.section->size : load_size(tractions_), body_.strip.station_width);
       task.least_depth = std::min(task.least_depth, plan.least_depth);
       task.areas.push_back({.points = plan.probes, .x = area.x});
     }
@@ -166,8 +172,9 @@ public:
   }
 
 private:
-  void require_on(const BelowSurface& p) const {
-    if (p.s < curve_.s_begin() || p.s > curve_.s_end())
+  /// Of points of one's own; those below a patch may reach beyond a thin body, and have no stresses there.
+  void require_below(const BelowSurface& p) const {
+    if (!is_below(curve_, p))
       throw InputError("A point lies beside the profile", "its arc length is beyond the profile's ends",
                        "Move it, or leave it out.");
   }
@@ -190,6 +197,12 @@ private:
     for (std::size_t i = 0; i < area.points.size(); ++i) {
       const BelowSurface& p = area.points[i];
       area.positions.push_back(position_of(curve_, p));
+      if (!is_below(curve_, p)) {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        area.body.emplace_back(area.x.size(), halfspace::Stress{none, none, none, none, none, none});
+        area.error.push_back(0);
+        continue;
+      }
       const Remainder at =
           plan.own[i] >= 0
               ? Remainder{rest[static_cast<std::size_t>(plan.own[i])],

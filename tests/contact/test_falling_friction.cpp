@@ -2,6 +2,7 @@
 #include "bem_contact/contact/flash_temperature.hpp"
 #include "tests/base/message.hpp"
 #include "tests/contact/scenes.hpp"
+#include "tests/sanitized.hpp"
 
 #include <gmock/gmock.h>
 
@@ -144,6 +145,7 @@ TEST(FallingFriction, TwoSolutions) {
 /// What does not settle says so, and is certified only if what still changes is below the certificate's
 /// tolerance.
 TEST(FallingFriction, WhatDoesNotSettleIsSaid) {
+  NEEDS_NO_SANITIZER();
   int unsettled = 0, uncertified = 0;
   for (const double half : {3.0, 2.0, 1.5})
     for (const double xi : {8e-4, 1.6e-3}) {
@@ -280,6 +282,7 @@ TEST(FallingFriction, WithoutDistanceMemoryIsNone) {
 
 /// Steep laws that do not settle without it: with memory over some elements' slip there is one solution.
 TEST(FallingFriction, WithMemorySteepLawsSettle) {
+  NEEDS_NO_SANITIZER();
   int without = 0, with = 0;
   for (const double half : {3.0, 2.0, 1.5})
     for (const double xi : {8e-4, 1.6e-3}) {

@@ -3,6 +3,7 @@
 #include "bem_contact/contact/history.hpp"
 #include "tests/base/message.hpp"
 #include "tests/contact/scenes.hpp"
+#include "tests/sanitized.hpp"
 
 #include <gmock/gmock.h>
 
@@ -89,6 +90,7 @@ TEST(Layer, OfStiffBodiesIsTheSimplifiedTheoryOfAStrip) {
 }
 
 TEST(Layer, OfStiffBodiesIsTheSimplifiedTheoryOfAnEllipse) {
+  NEEDS_NO_SANITIZER();
   for (const double tau : {0.02, 0.5, 1.0, 1.6, 3.0})
     for (const int across : {30, 60, 120}) {
       StiffBodies stiff(across, false);
@@ -140,6 +142,7 @@ SimplifiedRow simplified_row(double s, double xi, double eta, double phi, int st
 }
 
 TEST(Layer, OfStiffBodiesWithSpinAndSlipIsTheSimplifiedTheory) {
+  NEEDS_NO_SANITIZER();
   const double unit = StiffBodies::creepage(1);
   for (const auto& [xi, eta, phi] : {std::array{0.5 * unit, 0.3 * unit, 0.2 * unit},
                                      {0.0, 0.0, 0.6 * unit},
@@ -315,6 +318,7 @@ double dense_locomotive(double xi, double compliance) {
 /// The first eight columns of the measurement, and what a dense prototype of others made of them with L =
 /// 1.52e-4 mm^3/N.
 TEST(Layer, OfTheLocomotiveIsTheDenseSolution) {
+  NEEDS_NO_SANITIZER();
   const std::pair<double, double> prototype[] = {{.0053, .234}, {.0069, .265}, {.0088, .287}, {.0109, .299},
                                                  {.0148, .307}, {.0212, .307}, {.0291, .301}, {.0428, .290}};
   for (const auto& [xi, ratio] : prototype) {
@@ -410,6 +414,7 @@ TEST(Layer, OfRandomContactsIsCertified) {
 
 /// Rolling of a layer from rest becomes steady rolling.
 TEST(Layer, TransientBecomesSteady) {
+  NEEDS_NO_SANITIZER();
   ContactProblem problem = layered(5e-5);
   const double steady = certified(problem).totals.Fx;
   problem.motion = MotionKind::transient;

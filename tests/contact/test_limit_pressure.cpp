@@ -3,6 +3,7 @@
 #include "bem_contact/contact/work.hpp"
 #include "tests/base/message.hpp"
 #include "tests/contact/scenes.hpp"
+#include "tests/sanitized.hpp"
 
 #include <Eigen/LU>
 #include <gmock/gmock.h>
@@ -91,6 +92,7 @@ Eigen::VectorXd dense_pressure(const ContactProblem& problem, double approach) {
 }
 
 TEST(LimitPressure, OfHertzIsTheDenseSolution) {
+  NEEDS_NO_SANITIZER();
   for (const double share : {0.9, 0.6, 0.4}) {
     ContactProblem problem = ellipse(22, 20, 0.9, 8e4);
     problem.limit_pressure = share * limited(problem).totals.pmax;

@@ -55,6 +55,7 @@ TEST(Lines, StepsInSinglePrecisionHaveFiveDigits) {
 
 /// None takes much longer than the others.
 TEST(Lines, OfUnlikeRollersWithAForceTakeTheirTime) {
+  NEEDS_NO_SANITIZER();
   std::mt19937 random(1);
   std::vector<double> work;
   for (int k = 0; k < tests::alike(40); ++k) {

@@ -206,7 +206,7 @@ class Plans(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return done.stdout + done.stderr
 
-    def check_results(self):
+    def check_sweep(self):
         results = self.folder / "results"
         subprocess.run([BIN / "bem_contact", "sweep", 'a "sweep".toml', "-o", "one.h5", "--jobs", "1"], cwd=self.folder,
                        check=True, capture_output=True)
@@ -215,11 +215,15 @@ class Plans(unittest.TestCase):
             for a, b in zip(joined["Fx"], one["Fx"]):
                 self.assertAlmostEqual(a, b, delta=1e-6 * 0.3 * 8e4)
         self.assertEqual(len((results / "it's.csv").read_text().splitlines()), 10)
+        self.assertEqual(list(self.folder.rglob("ran")), [])
+
+    def check_results(self):
+        self.check_sweep()
+        results = self.folder / "results"
         self.assertTrue((results / "worn 'pair'" / "rail.txt").exists())
         self.assertTrue((results / "a study" / "study.h5").exists())
         self.assertTrue((results / "forces.h5").exists())
         self.assertEqual(len(list((self.folder / "influence files").glob("*.h5"))), 2)
-        self.assertEqual(list(self.folder.rglob("ran")), [])
 
     def test_on_this_machine(self):
         self.snakemake("--cores", "2")
@@ -290,11 +294,13 @@ exec '{BIN}/bem_contact' "$@"
         return done.stdout + done.stderr
 
     def test_with_slurm(self):
+        """One sweep: each of its jobs is a Snakemake of its own, whose start takes longer than its cases."""
         self.begin_slurm()
+        self.only()
         told = self.snakemake("--profile", CLUSTER / "profiles" / "slurm", "--jobs", "4")
         self.assertTrue((self.folder.parent / "spool" / "killed").exists())
         self.assertIn("Trying to restart job", told)
-        self.check_results()
+        self.check_sweep()
 
     def test_a_task_is_tried_as_often_as_asked_and_a_wrong_scene_once(self):
         """With more memory each time. Slurm's jobs are Snakemakes, too, and try nothing again."""

@@ -270,6 +270,29 @@ TEST(StressesInside, RefusesALoadBesideTheStrip) {
   EXPECT_THROW(inside_block(tractions_of({.s = 4, .a = 3, .b = 3, .pressure = 1}, 0.28)), InputError);
 }
 
+/// The section below a patch may reach beyond a thin body: its points there have none, and all others have
+/// what a wide body has nearly, more of it.
+TEST(StressesInside, OfAThinBodyEndAtItsSides) {
+  const Folder folder;
+  write_block_mesh(folder / "blade.msh", 0.5, 6, 8);
+  const SurfaceTractions load = tractions_of({.s = 0, .a = 4, .b = 4, .pressure = 1000}, 0.28);
+  StressesInside found = inside::halfspace_inside(load, inside::Side::rail);
+  add_body_stresses(found, load, block_body(), straight_line(8), folder / "blade.msh", without_progress);
+  const AreaStresses& area = found.areas.at(0);
+  int beside = 0;
+  for (std::size_t i = 0; i < area.points.size(); ++i) {
+    const BelowSurface& p = area.points[i];
+    if (std::abs(p.s) > 8) {
+      ++beside;
+      EXPECT_FALSE(std::isfinite(area.body[i][0].xx)) << p.s;
+    } else if (std::abs(p.s) < 7.9 && p.depth < 7.5) {
+      EXPECT_TRUE(std::isfinite(area.body[i][0].xx)) << p.s << ' ' << p.depth;
+    }
+  }
+  EXPECT_GT(beside, 0);
+  EXPECT_GT(peaks_of(found, area).von_mises_change, 0.02);
+}
+
 /// Points that lie beside the body have no stresses there, and those of the half-space all the same.
 TEST(StressesInside, KnowWhereTheBodyEnds) {
   const std::vector<BelowSurface> points{{0, 2}, {0, 151}};

@@ -78,6 +78,7 @@ READS = {
     "creep-curves": ("scene.toml", ["creep-curves", "scene.toml", "--xi=0:1e-3:2"]),
     "fit": ("points.csv", ["fit", "scene.toml", "--measured", "points.csv", "--parameters", "motion.friction"]),
     "table": ("table.toml", ["table", "table.toml"]),
+    "fmu": ("forces.h5", ["fmu", "forces.h5", "--sources-only"]),
     "wear": ("scene.toml", ["wear", "scene.toml"]),
     "fatigue": ("sweep.toml", ["fatigue", "sweep.toml"]),
     "stresses": (RESULT, ["stresses", RESULT]),
@@ -116,6 +117,7 @@ class EveryCommand(InFolder):
         shutil.copy(BODIES / "hollow_wheel.txt", self.folder / "profile.whl")
         shutil.copy(doors.SOURCE / "data" / "influence" / "small_rail.h5", self.folder / "small.h5")
         self.done("solve", "hertz.toml", "-o", RESULT)
+        self.done("table", "table.toml", "--tolerance", "1", "-o", "forces.h5")
 
     def test_no_output_is_an_input(self):
         self.put_inputs()
@@ -124,7 +126,7 @@ class EveryCommand(InFolder):
             outputs = self.outputs(command)
             self.assertTrue(outputs, command)
             for option in outputs:
-                ending = {"report": ".html", "plot": ".png", "new": ".toml"}.get(command, OUTPUTS[option])
+                ending = {"report": ".html", "plot": ".png", "new": ".toml", "fmu": ".fmu"}.get(command, OUTPUTS[option])
                 for kind, make in (("hard link", os.link), ("link", os.symlink)):
                     with self.subTest(f"{command} {option} {kind}"):
                         before, output = (self.folder / name).read_bytes(), self.folder / f"output{ending}"
@@ -139,7 +141,7 @@ class EveryCommand(InFolder):
     def test_no_foreign_hdf5_is_replaced(self):
         self.put_inputs()
         for command, (_, words) in READS.items():
-            if "-o" not in self.outputs(command) or command in ("report", "plot", "new", "influence"):
+            if "-o" not in self.outputs(command) or command in ("report", "plot", "new", "influence", "fmu"):
                 continue
             with self.subTest(command):
                 foreign = self.file("foreign.h5", "mine")

@@ -341,8 +341,8 @@ class Storage(Hostile):
             del h5["kernel"]
             h5["kernel"] = self.h5py.ExternalLink(str(self.folder / "kernel.h5"), "/kernel")
         data = linked.read_bytes()
-        lines = data[:512].rstrip(b"\0").decode().splitlines()
-        lines[2:4] = [f"bytes {len(data)}", f"sha256 {hashlib.sha256(data[512:]).hexdigest()}"]
+        lines = data[:512].rstrip(b"\0").decode().splitlines()[:2]
+        lines += [f"bytes {len(data)}", f"sha256 {hashlib.sha256(data[512:]).hexdigest()}"]
         linked.write_bytes("\n".join([*lines, ""]).encode().ljust(512, b"\0") + data[512:])
         text = (SCENES / "conformal_small.toml").read_text().replace("../influence/small_rail.h5", "linked.h5").replace(
             "../influence", str(SCENES.parent / "influence"))

@@ -148,6 +148,27 @@ TEST(InfluenceFile, NoFlippedByteAndNoTruncationIsAccepted) {
   }
 }
 
+/// As files of others, and those from before there was a fifth line.
+TEST(InfluenceFile, ASealOfFourLinesHoldsByItsSha256) {
+  const TemporaryFolder folder;
+  write_influence_file(folder / "a.h5", sample_function());
+  const std::string whole = text_of(folder / "a.h5");
+  const std::size_t fifth = whole.find("xxh3 ");
+  ASSERT_LT(fifth, seal_size);
+  std::string four = whole;
+  std::fill(four.begin() + std::ptrdiff_t(fifth), four.begin() + std::ptrdiff_t(seal_size), '\0');
+  write_bytes(folder / "b.h5", four);
+  EXPECT_EQ(reading(folder / "b.h5"), "no error");
+  EXPECT_EQ(check_seal(folder / "b.h5", influence_format_major),
+            check_seal(folder / "a.h5", influence_format_major));
+  for (const std::size_t at : {std::size_t(80), fifth - 3, seal_size + 100, whole.size() - 1}) {
+    std::string bytes = four;
+    bytes[at] = static_cast<char>(bytes[at] ^ 1);
+    write_bytes(folder / "b.h5", bytes);
+    EXPECT_NE(reading(folder / "b.h5"), "no error") << at;
+  }
+}
+
 TEST(InfluenceFile, RefusesSealedFilesWithOtherContents) {
   // As another program may write them: the seal holds and the contents do not fit the format.
   const TemporaryFolder folder;

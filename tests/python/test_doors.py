@@ -180,7 +180,7 @@ SOLVE = {"solve": (SHIFT, ["{0}"]), "compare": (STEADY, ["{0}", "--models", "hal
          "wear": (ON_RAIL + "load.force = 8e4\n", ["{0}"]), "wheelset": (AXLE, ["{0}"]), "study": (SHIFT, ["{0}", "-o", "{1}"])}
 SHOW = {"info", "report", "plot"}  # files of results: Doors has what each says
 ASKED = {"explore": "it serves a page; test_explore and test_answers ask it"}
-NO_CONTACT = {"new", "from-contact", "check", "schema", "influence", "profile", "conicity", "stresses"}  # they solve none
+NO_CONTACT = {"new", "from-contact", "check", "schema", "influence", "profile", "conicity", "stresses", "fmu"}  # they solve none
 
 
 class EveryDoor(unittest.TestCase):

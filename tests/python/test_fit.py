@@ -81,6 +81,52 @@ class Fit(unittest.TestCase):
             text.get_text() for axis in figure.axes if axis.get_legend() for text in axis.get_legend().get_texts()]
         self.assertTrue(any("what the points allow" in label for label in labels), labels)
 
+    def test_pressures_and_several_files(self):
+        """A line of pressures gives the load back, alone and beside forces; a study has the same as a part."""
+        scene = self.folder / "patch.toml"
+        patch = ("kind = 'patch'\nload.force = {}\nmotion.friction = 0.3\nsolver.model = 'halfspace'\n"
+                 "[grid]\ndx = 0.4\nds = 0.4\nmx = 24\nms = 22\n[gap]\na = 1e-3\nb = 2e-3\n")
+        right = bem_contact.solve(patch.format(8000))
+        line = self.folder / "line.csv"
+        middle = np.array(right.p_n).max(axis=1)
+        line.write_text("s,pn\n" + "".join(f"{s:.17g},{p:.17g}\n" for s, p in zip(np.array(right.s), middle)))
+        curve = bem_contact.creep_curves(patch.format(8000), xi=[3e-4, 1e-3, 4e-3, 0.02])["curves"]["xi"]
+        forces = self.folder / "forces.csv"
+        forces.write_text("xi,Fx\n" + "".join(f"{x:.17g},{f:.17g}\n" for x, f in zip(curve["creepage"], curve["Fx"])))
+        scene.write_text(patch.format(6000) + '[fit]\nmeasured = ["line.csv", "forces.csv"]\nparameters = ["load.force", "motion.friction"]\n')
+        run = lambda *words: subprocess.run([os.environ["BEM_CONTACT"], *map(str, words)], capture_output=True, text=True, cwd="/")
+        alone = run("fit", scene, "--measured", line, "--parameters", "load.force", "-o", self.folder / "line.h5")
+        self.assertEqual(alone.returncode, 0, alone.stderr)
+        self.assertIn("points of pressure over s are", alone.stdout)
+        with h5py.File(self.folder / "line.h5") as h5:
+            self.assertAlmostEqual(h5["parameters/load.force/value"][()], 8000, delta=20)
+            self.assertNotIn("curves", h5)
+            self.assertLess(h5["pressures/misfit"][()], 0.01 * middle.max())
+        of_scene = json.loads(run("fit", scene, "--json").stdout)
+        self.assertAlmostEqual(of_scene["parameters"]["motion.friction"]["value"], 0.3, delta=2e-3)
+        self.assertAlmostEqual(of_scene["parameters"]["load.force"]["value"], 8000, delta=20)
+        python = bem_contact.fit(scene, [str(line), str(forces)], ["load.force", "motion.friction"])
+        self.assertEqual(python["parameters"]["load.force"]["value"], of_scene["parameters"]["load.force"]["value"])
+        self.assertEqual(python["pressures"]["misfit"], of_scene["pressures"]["misfit"])
+        page = self.folder / "line.html"
+        self.assertEqual(run("report", self.folder / "line.h5", "-o", page).returncode, 0)
+        self.assertEqual([axis.get_ylabel() for axis in bem_contact.plot(self.folder / "line.h5").axes], ["pressure, MPa"])
+        study = run("study", scene, "-o", self.folder / "study")
+        self.assertEqual(study.returncode, 0, study.stderr)
+        with h5py.File(self.folder / "study" / "parts" / "fit.h5") as h5:
+            self.assertEqual(h5["parameters/load.force/value"][()], of_scene["parameters"]["load.force"]["value"])
+        forces.write_text(forces.read_text().replace("0.02", "0.021"))
+        again = run("study", scene, "-o", self.folder / "study")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        with h5py.File(self.folder / "study" / "parts" / "fit.h5") as h5:
+            self.assertIn(0.021, h5["measured/points/creepage"][:])  # the points have changed, and so the part
+        without = self.folder / "without.toml"
+        without.write_text(patch.format(6000))
+        for words, said in ((["fit", without], "no measured forces or pressures are named"), (["fit", without, "--measured", line], "no key is named")):
+            done = run(*words)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn(said, done.stderr)
+
     def test_what_cannot_be_fitted_is_refused(self):
         few = self.folder / "few.csv"
         few.write_text("xi,Fx\n1e-3,2e4\n")

@@ -17,7 +17,7 @@ FLAGS = ["--headless", "--no-sandbox", "--disable-gpu-sandbox", "--use-angle=swi
          "--disable-component-update", "--remote-debugging-pipe"]
 
 
-USUAL = 800  # px; figures in 3-D take twice as long on a screen of 1400
+USUAL = (1280, 800)  # px, a laptop's screen
 
 
 class Browser:
@@ -43,7 +43,7 @@ class Browser:
         self.session = self.call("Target.attachToTarget", {"targetId": target, "flatten": True})["sessionId"]
         self.call("Page.enable")
         self.call("Network.enable")
-        self.of_width(USUAL)
+        self.of_width(*USUAL)
 
     def close(self):
         try:

@@ -255,8 +255,7 @@ class Report(unittest.TestCase):
 
     def look_at_the_first_screen(self, show, kind):
         """What was found, one picture, the first warning and what to do next stand on a laptop's screen, side by side."""
-        wide, high = 1280, 800
-        show.of_width(wide, high)
+        wide, high = browser.USUAL
         box = ("(id => (at => at && [at.left, at.top, at.right, at.bottom])(document.querySelector(id)?.getBoundingClientRect()))")
         shown = {id: show.value(f"{box}('{id}')") for id in ("#found", "#first .figure", "#warnings .warning", "#next")}
         words, picture = shown["#found"], shown["#first .figure"]
@@ -278,7 +277,6 @@ class Report(unittest.TestCase):
         # Tables come after all figures, and are folded; what was asked comes last.
         self.assertEqual(show.value("[...document.querySelectorAll('table')].filter(t => !t.closest('details')).length"), 0, kind)
         self.assertEqual(show.value("document.querySelector('main').lastElementChild.id"), "question" if kind != "profile" else "downloads", kind)
-        show.of_width(browser.USUAL)
 
     def test_digits_are_those_of_the_error(self):
         """As the program rounds (record/error_text.hpp)."""
@@ -453,12 +451,12 @@ class Report(unittest.TestCase):
                         show.of_width(width)
                         show.open(page)
                         self.look_at_width(show, width)
-                    show.of_width(browser.USUAL)
+                    show.of_width(*browser.USUAL)
             # What was found nowhere so far can be found: words on words, wide tables, script errors.
             show.open(self.pages["wear"])
             show.value("(word => word.after(word.cloneNode(true)))(document.querySelector('#worn-rail svg .xtick text'))")
             show.value("document.getElementById('steps').closest('details')?.setAttribute('open', '')")
-            show.value("document.getElementById('steps').style.width = '900px'")
+            show.value("document.getElementById('steps').style.width = '1500px'")
             self.assertRegex(show.value(LOOK), "worn-rail: '.*' lies on '.*'")
             self.assertIn("steps is wider than the page", show.value(LOOK))
             page = self.folder / "damaged.html"

@@ -318,6 +318,61 @@ TEST(LayerScene, YieldIsReadAndRefused) {
       std::isnan(quantity("largest_plastic_slip").value(solved_with_layer(layer_patch("yield_shear = 0")))));
 }
 
+/// Hotter rails bear less, in each model with elements, on curved surfaces and of unlike materials; one value
+/// at all temperatures is that limit.
+TEST(LayerScene, ThatSoftensByHeatBearsLessOnHotRails) {
+  for (const char* model : {"halfspace", "tangent_plane", "fem"}) {
+    SCOPED_TRACE(model);
+    const auto force = [&](const std::string& limit, double rail) {
+      const SceneResult r = solved_with_layer(parse_scene_file(fmt::format(
+          "rail = {{ profile = '60E1', influence = '{0}/small_rail.h5' }}\n"
+          "wheel = {{ profile = 'S1002', influence = '{0}/small_wheel.h5' }}\n"
+          "position.lateral = 6.6\nload.force = 1e5\nsolver.model = '{1}'\n"
+          "grid = {{ dx = 1.0, ds = 0.6 }}\nmotion = {{ xi = 2e-2, free_rolling = false, speed = 2e4 }}\n"
+          "temperature = {{ flash = true, rail = {2} }}\nlayer.compliance = 3e-5\n{3}",
+          CONFORMAL_SOURCE_DIR "/data/influence", model, rail, limit)));
+      EXPECT_TRUE(std::isfinite(r.result.totals.Fx.error));
+      return r.result.totals.Fx.value;
+    };
+    const std::string table =
+                          "layer.yield_temperatures = [20, 100, 300]\nlayer.yield_shears = [120, 80, 20]\n",
+                      constant = "layer.yield_temperatures = [20, 100]\nlayer.yield_shears = [120, 120]\n";
+    const double cold = force(table, 20), hot = force(table, 200),
+                 plain = force("layer.yield_shear = 120\n", 20);
+    EXPECT_LT(cold, 0.99 * plain);
+    EXPECT_LT(hot, 0.8 * cold);
+    EXPECT_NEAR(force(constant, 200), plain, 1e-9 * plain);
+  }
+}
+
+TEST(LayerScene, YieldByHeatIsReadAndRefused) {
+  const std::string table = "yield_temperatures = [20, 200]\nyield_shears = [100, 50]\n";
+  const std::string heat = "xi = 1e-2\nspeed = 1e4\n[temperature]\nflash = true";
+  const auto refusal = [&](const std::string& layer, const std::string& motion) {
+    return message_of([&] { solved_with_layer(layer_patch(layer, motion)); });
+  };
+  EXPECT_THAT(refusal(table, "xi = 1e-2\nspeed = 1e4"), HasSubstr("temperatures are not asked for"));
+  EXPECT_THAT(refusal(table + "yield_shear = 100", heat), HasSubstr("layer.yield_shear is given too"));
+  EXPECT_THAT(refusal("yield_temperatures = [20, 200]\nyield_shears = [100]", heat),
+              HasSubstr("2 temperatures"));
+  EXPECT_THAT(refusal("yield_temperatures = [20, 200]\nyield_shears = [50, 100]", heat),
+              HasSubstr("more than one solution"));
+  EXPECT_THAT(refusal("yield_temperatures = [200, 20]\nyield_shears = [100, 50]", heat),
+              HasSubstr("do not rise"));
+  EXPECT_THAT(refusal(table, "xi = 1e-2\nspeed = 1e4\nkind = 'transient'\n[temperature]\nflash = true"),
+              HasSubstr("those of steady rolling"));
+  EXPECT_THAT(message_of([&] {
+                SceneFile scene = layer_patch(table, heat);
+                scene.solver.model = Model::simplified;
+                solved_with_layer(scene);
+              }),
+              HasSubstr("it knows no temperatures"));
+  EXPECT_EQ(layer_patch("state = 'clay'\n" + table, heat).layer.hardening, 435);
+  EXPECT_FALSE(layer_patch("state = 'clay'\n" + table, heat).layer.yield_shear);
+  const SceneResult clay = solved_with_layer(layer_patch("state = 'clay'\n" + table, heat));
+  EXPECT_GT(quantity("largest_plastic_slip").value(clay), 0);
+}
+
 /// A history goes on from its plastic slip: a start table with it repeats the last step of a longer history.
 TEST(LayerScene, AStartTableHasThePlasticSlip) {
   const TemporaryFolder folder;

@@ -6,6 +6,7 @@
 #include "bem_contact/scene/contact_setup.hpp"
 #include "tests/base/message.hpp"
 #include "tests/influence/sample_function.hpp"
+#include "tests/sanitized.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -294,6 +295,7 @@ TEST(ContactMotion, SlidesNowhereOnTop) {
 /// What linear kinematics leaves out is in its stated errors: at given places, and where the lateral force is
 /// given.
 TEST(ContactMotion, StatedErrorsOfLinearKinematicsCoverIt) {
+  NEEDS_NO_SANITIZER();
   struct Place {
     const char* rail;
     double inclination, lateral, force, friction;

@@ -9,7 +9,7 @@ find_program(NODE NAMES node nodejs REQUIRED)
 find_file(PLOTLY_LIBRARY NAMES plotly.min.js plotly.js PATHS /usr/share/python3-plotly NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH REQUIRED)
 
 include(tools/cmake/headers.cmake)
-conformal_host_headers(boost fmt nlohmann spdlog toml++)
+conformal_host_headers(boost fmt nlohmann spdlog toml++ xxhash.h)
 # A long double has 128 bits there: clang 19 fails on its constants, and Boost would compute with it.
 add_library(conformal_boost INTERFACE)
 target_compile_definitions(conformal_boost INTERFACE BOOST_MATH_NO_LONG_DOUBLE_MATH_FUNCTIONS)

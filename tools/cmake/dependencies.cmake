@@ -29,6 +29,11 @@ if(NOT TOMLPLUSPLUS_HEADER)
   message(FATAL_ERROR "toml++ was not found (the case files are TOML); run tools/install_packages")
 endif()
 
+find_file(XXHASH_HEADER xxhash.h)
+if(NOT XXHASH_HEADER)
+  message(FATAL_ERROR "xxHash was not found (checksums of influence files) run tools/install_packages")
+endif()
+
 # Debian's Python, with its h5py and NumPy, whatever other is first on the path.
 find_program(SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
 set(PYTHON_EXECUTABLE ${SYSTEM_PYTHON})

@@ -21,7 +21,7 @@ int main(int count, char** words) {
     code = conformal_table_look_up(table, at, count - 2, values, errors, columns, message, sizeof message);
   for (i = 0; code == CONFORMAL_OK && i < columns; ++i)
     if (conformal_table_column(table, i, &name, NULL, NULL) == CONFORMAL_OK)
-      printf("%s %.12g (interpolation error %.2g)\n", name, values[i], errors[i]);
+      printf("%s %.12g +- %.2g\n", name, values[i], errors[i]);
   conformal_table_close(table);
   return code == CONFORMAL_OK ? 0 : (puts(message), code);
 }

@@ -24,7 +24,7 @@ program table_reader
   if (code /= conformal_ok) print '(1000a)', message(:index(transfer(message, repeat(' ', 1000)), c_null_char) - 1)
   do i = 1, merge(3, 0, code == conformal_ok)
     if (conformal_table_find(table, names(i) // c_null_char, column) /= conformal_ok) cycle
-    print '(2a, es24.16, a, es9.1, a)', names(i), ' ', values(column + 1), ' (interpolation error', errors(column + 1), ')'
+    print '(2a, es24.16, a, es9.1)', names(i), ' ', values(column + 1), ' +-', errors(column + 1)
   end do
   if (code /= conformal_ok) stop 2
 end program

@@ -14,11 +14,12 @@ WANTED = [
     ("halling_1964", "Halling (1964), on microslip by conformity. J. Mechanical Engineering Science 6",
      "a ball in a groove of nearly its radius: slip by conformity"),
     ("poole", "Poole, tests on rolling discs", "rolling discs: traction over creepage"),
+    ("v_track_2025", "Jayasree Krishnan, Yang, Li (2025), rig V-Track", "clean dry steel at a fifth of full size: creep force over creepage"),
 ]
 
 def chapter(page, program, folder, say):
     page.heading("3 What is wanted")
-    page.text("""These measurements are classical, and their numbers are in libraries and not here. Each has a scene in
+    page.text("""The numbers of these measurements are in libraries and papers, and not here. Each has a scene in
         `tools/validation/wanted` with the unit ellipse of its test. Add a CSV file of that name to the folder of measured points, with the columns
         `creepage, force`, and this page compares them. Creepage is
         multiplied by the slope of linear theory, G a b C11, over mu Fn; force is Fx over mu Fn. Both are free of the size of the test.""")

@@ -3,10 +3,9 @@
 #include "bem_contact/app/number_list.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/system/files.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/record/csv.hpp"
-
-#include <glob.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,11 +24,7 @@ constexpr int most_gauges = 1000; // a typing error
 std::vector<std::string> names_of_pattern(const std::string& given) {
   if (is_standard_profile(given) || given.find_first_of("*?[") == std::string::npos || file_exists(given))
     return {given};
-  glob_t found = {};
-  std::vector<std::string> out;
-  if (glob(given.c_str(), 0, nullptr, &found) == 0)
-    out.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
-  globfree(&found);
+  const std::vector<std::string> out = system::files_like(given);
   if (out.empty())
     throw InputError(fmt::format("'{}' is no profile", given), "no file has a name like this",
                      "Give a pattern of files that are there, in quotes, as 'FOLDER/*.whl'.");

@@ -1,12 +1,16 @@
 #include "bem_contact/app/command.hpp"
+#include "bem_contact/app/commands/body_stresses.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/print_answer.hpp"
 #include "bem_contact/app/output/repeat.hpp"
+#include "bem_contact/app/scene_options.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/scene/sweep_check.hpp"
+#include "bem_contact/sequence/result_file.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
@@ -36,7 +40,7 @@ You should see that the patch yields once, with a shakedown factor of 1.14, and 
 What stands behind it, and maps over the section: data/tutorial/shakedown.md.)";
 
 struct ShakedownArguments {
-  std::string scene, model, output, steel, initial_stress;
+  std::string scene, model, output, steel, initial_stress, body;
   bool json = false, in_plane = false;
   std::optional<double> yield_shear, dang_van_a, alpha, fatigue_limit; ///< nothing: of the steel, or usual
 
@@ -83,9 +87,9 @@ Output output_of(const ShakedownArguments& arguments) {
   return {"--output", arguments.output, OutputForm::whole_file};
 }
 
-/// The initial stress is not overwritten.
+/// Neither the initial stress nor the body is overwritten.
 void require_output_beside(const ShakedownArguments& arguments) {
-  require_named_outputs({arguments.initial_stress}, {output_of(arguments)});
+  require_named_outputs({arguments.initial_stress, arguments.body}, {output_of(arguments)});
 }
 
 /// Writes, prints, or both. `head`: of a file.
@@ -102,6 +106,9 @@ void say(const Found& found, const shakedown::ShakedownProperties& properties,
 void of_stresses(const ShakedownArguments& arguments) {
   require_named_outputs({arguments.scene}, {output_of(arguments)});
   const record::Record file = record::read_hdf5(arguments.scene);
+  if (!arguments.body.empty())
+    throw InputError("--body belongs to a scene", "the stresses of this file are computed already",
+                     "Leave it out.");
   if (!arguments.model.empty())
     throw InputError("--model belongs to a scene", "the stresses of this file are computed already",
                      "Leave it out.");
@@ -116,6 +123,9 @@ void of_sweep(const ShakedownArguments& arguments, const SceneText& text) {
   if (!arguments.model.empty())
     throw InputError("--model belongs to one scene", "a sweep names the model of its cases",
                      "Give solver.model.");
+  if (!arguments.body.empty())
+    throw InputError("--body belongs to one scene", "each case of a sweep would need solutions of its own",
+                     "Leave it out, or give the scene without [sweep].");
   check_values(sweep);
   require_named_outputs(files_read(arguments.scene, sweep), {output_of(arguments)});
   const shakedown::ShakedownProperties properties = arguments.properties();
@@ -135,12 +145,17 @@ void of_scene(const ShakedownArguments& arguments) {
   if (!certified(result))
     throw ConvergenceError("There is no shakedown of a result that is not certified",
                            why_not_certified(result), "Solve the scene alone to see why.");
-  say(shakedown_of(result, properties), properties, arguments,
-      [&] { return headed(shakedown_format, given, arguments.output); });
+  const auto head = [&] { return headed(shakedown_format, given, arguments.output); };
+  if (arguments.body.empty())
+    return say(shakedown_of(result, properties), properties, arguments, head);
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "result.h5";
+  record::write_hdf5(file, result_file(result, given, file.string()));
+  say(shakedown_of(stresses_in_body(file, arguments.body), properties), properties, arguments, head);
 }
 
 ExitCode run(const ShakedownArguments& arguments) {
-  if (!arguments.initial_stress.empty())
+  if (!arguments.initial_stress.empty() || !arguments.body.empty())
     require_output_beside(arguments);
   if (!is_regular(arguments.scene)) { // a pipe can be read but once
     of_scene(arguments);
@@ -183,7 +198,13 @@ Command add_shakedown(CLI::App& program) {
       ->check(CLI::Range(0.0, 3.0));
   line->add_option("--initial-stress", a.initial_stress,
                    "Residual and thermal stress of the body (CSV: depth, perhaps s, mm; any of "
-                   "xx,ss,nn,xs,xn,sn, MPa)");
+                   "xx,ss,nn,xs,xn,sn, MPa)")
+      ->type_name(file_option);
+  line->add_option(
+          "--body", a.body,
+          "Body file (TOML) of the rail or the wheel: with the stresses in it, not in a half-space, by "
+          "mesh_body and fem_influence")
+      ->type_name(file_option);
   line->add_flag(
       "--in-plane", a.in_plane,
       "Without residual shear along the track, which does not build up where traction changes its direction");

@@ -1,12 +1,12 @@
 #include "bem_contact/app/commands/start_python.hpp"
 
+#include "bem_contact/base/child_process.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 
 #include <cstdio>
 #include <cstdlib>
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace bem_contact::app {
 
@@ -27,7 +27,7 @@ fs::path folder_of_package(const fs::path& bin) {
 void put_first(const char* variable, const fs::path& folder) {
   const char* others = std::getenv(variable);
   const std::string all = others && *others ? fmt::format("{}:{}", folder.string(), others) : folder.string();
-  setenv(variable, all.c_str(), 1);
+  set_variable(variable, all);
 }
 
 } // namespace
@@ -38,18 +38,13 @@ void become_python(const fs::path& python, const std::string& module,
     throw InputError("No picture can be drawn", fmt::format("there is no '{}'", python.string()),
                      "Install the Debian packages python3, python3-h5py and python3-matplotlib: sudo apt-get "
                      "install python3 python3-h5py python3-matplotlib");
-  std::error_code unknown;
-  const fs::path bin = fs::read_symlink("/proc/self/exe", unknown).parent_path();
+  const fs::path bin = this_program().parent_path();
   put_first("PYTHONPATH", folder_of_package(bin));
-  setenv("CONFORMAL_BIN", bin.c_str(), 1);
+  set_variable("CONFORMAL_BIN", bin);
   std::vector<std::string> words{python.string(), "-m", module};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> pointers;
-  for (std::string& word : words)
-    pointers.push_back(word.data());
-  pointers.push_back(nullptr);
   std::fflush(nullptr);
-  execv(pointers.front(), pointers.data());
+  ProgramLine(words).become();
   throw Error("Python cannot be started", fmt::format("'{}' is no program that runs here", python.string()),
               "Install the Debian package python3 again.");
 }

@@ -1,4 +1,5 @@
 #include "bem_contact/app/command.hpp"
+#include "bem_contact/app/commands/body_stresses.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/print_answer.hpp"
 #include "bem_contact/base/error.hpp"
@@ -25,10 +26,11 @@ what fem_influence --stresses wrote, which has those of the real body beside the
     bem_contact stresses rolling.h5
 You should see a line for the patch: its largest von Mises and shear stress, and how deep they lie.
 
-How to get those of the real body, and what to do with them: data/tutorial/stresses.md.)";
+With --body BODY.toml they are those of the real rail or wheel, beside the half-space's. What to do with them:
+data/tutorial/stresses.md.)";
 
 struct StressesArguments {
-  std::string file, points, output, csv, vtu;
+  std::string file, points, body, output, csv, vtu;
   bool wheel = false, json = false;
 };
 
@@ -36,10 +38,16 @@ inside::StressesInside stresses_of(const StressesArguments& arguments) {
   const record::Record file = record::read_hdf5(arguments.file);
   const auto format = record::text_at(file, "format").value_or("");
   if (kind_name(format) == kind_name(stresses_format)) {
-    if (arguments.wheel || !arguments.points.empty())
-      throw InputError("--wheel and --points belong to a result", "this file has its points already",
+    if (arguments.wheel || !arguments.points.empty() || !arguments.body.empty())
+      throw InputError("--wheel, --points and --body belong to a result", "this file has its points already",
                        "Leave them out, or give the result.");
     return inside::stresses_from(file);
+  }
+  if (!arguments.body.empty()) {
+    if (arguments.wheel)
+      throw InputError("--wheel cannot be given with --body",
+                       "the body's profile says which of the two it is", "Leave it out.");
+    return stresses_in_body(arguments.file, arguments.body, arguments.points);
   }
   const inside::Side side = arguments.wheel ? inside::Side::wheel : inside::Side::rail;
   const std::vector<inside::BelowSurface> own = arguments.points.empty()
@@ -65,9 +73,9 @@ std::string text_of(const inside::StressesInside& stresses) {
 }
 
 ExitCode run(const StressesArguments& a) {
-  require_named_outputs({a.file, a.points}, {{"--output", a.output, OutputForm::whole_file},
-                                             {"--csv", a.csv, OutputForm::text},
-                                             {"--vtu", a.vtu, OutputForm::text}});
+  require_named_outputs({a.file, a.points, a.body}, {{"--output", a.output, OutputForm::whole_file},
+                                                     {"--csv", a.csv, OutputForm::text},
+                                                     {"--vtu", a.vtu, OutputForm::text}});
   const inside::StressesInside stresses = stresses_of(a);
   const record::Record answer = headed(stresses_format).append(record_of(stresses));
   if (!a.output.empty())
@@ -89,6 +97,10 @@ Command add_stresses(CLI::App& program) {
   line->add_option("file", a.file, "Result of bem_contact solve -o, or stresses of fem_influence (HDF5)")
       ->required();
   line->add_flag("--wheel", a.wheel, "Of the wheel in place of the rail");
+  line->add_option(
+      "--body", a.body,
+      "Body file (TOML) of the rail or the wheel: stresses in it, not in a half-space, by mesh_body "
+      "and fem_influence");
   line->add_option("--points", a.points, "Points of your own: a CSV file with s,depth (mm)");
   add_json(*line, a.json);
   add_output_option(*line, "-o,--output", a.output, "Write all tensors (HDF5)");

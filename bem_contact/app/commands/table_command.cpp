@@ -125,12 +125,12 @@ std::string words_of(const table::ContactTable& t, double seconds) {
   return out;
 }
 
-/// The value of every column at a point, or forces by creepages, with the error between the points.
+/// The value of every column at a point, or forces by creepages, with its stated error.
 void print_values(const TableArguments& arguments) {
   const table::ContactTable t = table::read_table(arguments.input);
   const std::vector<double> at = numbers_of(arguments.at, ',', "--at", "0.5,6e4");
   const auto print = [](const char* name, double value, double error, const std::string& unit) {
-    print_out("{} {:.12g} {} (interpolation error {:.2g})\n", name, value, unit, error);
+    print_out("{} {:.12g} +- {:.2g} {}\n", name, value, error, unit);
   };
   if (t.scale) {
     if (at.size() != 7)
@@ -146,7 +146,7 @@ void print_values(const TableArguments& arguments) {
   }
   const std::vector<double> values = table::look_up(t, at);
   for (std::size_t c = 0; c < values.size(); ++c)
-    print(t.columns[c].name.c_str(), values[c], t.columns[c].interpolation_error, t.columns[c].unit);
+    print(t.columns[c].name.c_str(), values[c], t.columns[c].error(), t.columns[c].unit);
 }
 
 /// The table as one C source.

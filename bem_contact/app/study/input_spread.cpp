@@ -1,5 +1,6 @@
 #include "bem_contact/app/study/input_spread.hpp"
 
+#include "bem_contact/base/comma_separated.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/output_folder.hpp"
@@ -16,7 +17,6 @@
 #include <fmt/ranges.h>
 #include <optional>
 #include <ostream>
-#include <sstream>
 
 namespace bem_contact::app {
 
@@ -74,20 +74,9 @@ std::vector<SceneChange> changes_of_draw(const StudyCase& study, const SceneFile
   return out;
 }
 
-/// "clean, rig" as names.
-std::vector<std::string> names_in(const std::string& list) {
-  std::vector<std::string> out;
-  std::istringstream names(list);
-  for (std::string name; std::getline(names >> std::ws, name, ',');) {
-    name.erase(name.find_last_not_of(" \t") + 1);
-    out.push_back(name);
-  }
-  return out;
-}
-
 std::vector<std::string> drawn_parts(const StudyCase& study) {
   std::vector<std::string> out;
-  for (const std::string& name : names_in(study.uncertainty.parts)) {
+  for (const std::string& name : comma_separated(study.uncertainty.parts)) {
     const Part* part = part_named(name);
     if (!part || !part->asked(study)) {
       std::vector<std::string> known;
@@ -178,7 +167,7 @@ std::vector<std::vector<PartResult>> solve_draws(const StudyCase& study, const S
 }
 
 std::vector<std::string> states_of(const StudyCase& study) {
-  const std::vector<std::string> states = names_in(study.uncertainty.states);
+  const std::vector<std::string> states = comma_separated(study.uncertainty.states);
   std::vector<std::string> known;
   for (const SurfaceState& state : surface_states())
     known.emplace_back(state.name);

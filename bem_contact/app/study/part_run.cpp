@@ -173,10 +173,19 @@ private:
     try {
       const SceneText text = read_scene_text(scene_);
       const SweepFile sweep = has_sweep(text) ? parse_sweep_file(text) : SweepFile{text};
-      digest_ = digest_of(sweep, part_.name + text_for(text, {part_.name}));
-      base_ = digest_of(sweep, part_.name + text_for(text, {part_.name}, {"wear.depth"}));
+      const std::string files = digests_of_files(text);
+      digest_ = digest_of(sweep, part_.name + text_for(text, {part_.name}) + files);
+      base_ = digest_of(sweep, part_.name + text_for(text, {part_.name}, {"wear.depth"}) + files);
     } catch (const InputError&) { // the part says it
     }
+  }
+
+  /// Of the files that the part's table names: measured points, stresses.
+  std::string digests_of_files(const SceneText& text) const {
+    std::string out;
+    for (const std::string& file : files_of_table(text, part_.name))
+      out += "\n" + sha256_of_file(file);
+    return out;
   }
 
   std::string digest_of_bodies() const {

@@ -24,7 +24,7 @@ LineOutcome in_process(const std::filesystem::path& text, std::set<std::string>&
   const TemporaryFolder folder;
   MessageFile told(folder / "messages.txt");
   ChildProcess child(text, [&] {
-    setenv(message_file_variable, told.file().c_str(), true);
+    set_variable(message_file_variable, told.file());
     return work();
   });
   while (const auto line = child.next_line())

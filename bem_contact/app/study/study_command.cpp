@@ -31,7 +31,7 @@ namespace {
 constexpr const char* study_help =
     R"(One scene file asks for all answers. Without more it is solved; each of these tables asks for what the command of its
 name gives, and may have the command's options as keys (wear.depth for wear --depth):
-    [wheelset] [sweep] [compare] [conicity] [creep_curves] [table] [fatigue] [shakedown] [wear]
+    [wheelset] [sweep] [compare] [conicity] [creep_curves] [fit] [table] [fatigue] [shakedown] [wear]
     [influence]    rail = "BODY.toml": compute rail.influence where it is missing (tools/influence); so wheel
     [uncertainty]  friction, load, lateral, profile_noise: standard deviations of the inputs; draws, seed, parts;
                    states = "clean, rig, locomotive": the same numbers for other states of the surfaces (layer.state)

@@ -71,6 +71,7 @@ constexpr HeadlinePlace headline_places[] = {
     {"creep_curves", "slopes", 4},
     {"creep_curves", "sensitivities", 0},
     {"creep_curves", "sensitivities", 4},
+    {"fit", "misfit"},
     {"table", "points"},
     {"table", "solved"},
     {"fatigue", "damage"},

@@ -1,8 +1,7 @@
 #pragma once
 
+#include "bem_contact/base/workers.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
-
-#include <sys/types.h>
 
 #include <cstddef>
 #include <functional>
@@ -21,24 +20,18 @@ struct EndOfChild {
   std::string how; ///< "was ended by signal 9 (Killed)"
 };
 
-/// Processes that solve cases side by side. We use processes, not threads, because FFTW's planner and HDF5
-/// are not safe with threads, and because a case that kills its process then costs little. They end when this
-/// process ends.
+/// Workers that solve cases side by side.
 class ChildProcesses {
 public:
-  ChildProcesses() = default;
-  ~ChildProcesses(); ///< kills those that are left
-  ChildProcesses(const ChildProcesses&) = delete;
-  ChildProcesses& operator=(const ChildProcesses&) = delete;
-
-  std::size_t size() const { return started_.size(); }
+  std::size_t size() const { return workers_.size(); }
   /// Throws Error if no process can be started.
   void start(CaseRange cases, const std::function<int()>& work);
   /// Waits until one ends.
   EndOfChild wait();
 
 private:
-  std::map<pid_t, CaseRange> started_;
+  Workers workers_;
+  std::map<std::size_t, CaseRange> cases_; ///< that they solve, by the first
 };
 
 } // namespace bem_contact::app

@@ -1,6 +1,7 @@
 #include "bem_contact/app/wear/wear_influence.hpp"
 
 #include "bem_contact/app/wear/wear_state.hpp"
+#include "bem_contact/base/child_process.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -10,14 +11,8 @@
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 
-#include <array>
-#include <cerrno>
-#include <cstring>
 #include <fmt/format.h>
 #include <ostream>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace bem_contact::app {
 
@@ -45,22 +40,12 @@ std::string body_file_text(const InfluenceStrip& f, const char* body, const std:
 /// Runs `program` on a body file; what it prints goes to standard error. Throws InputError where it fails.
 void compute(const std::string& program, const std::filesystem::path& body_file,
              const std::filesystem::path& file) {
-  std::array<std::string, 3> words{program, body_file.string(), file.string()};
-  std::array<char*, 4> arguments{words[0].data(), words[1].data(), words[2].data(), nullptr};
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-  pid_t process = 0;
-  int status = 0;
-  const int failed = posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failed == 0)
-    while (waitpid(process, &status, 0) < 0 && errno == EINTR)
-      ;
-  if (failed != 0 || status != 0 || !file_exists(file))
-    throw InputError(fmt::format("'{} {} {}' has made no influence functions", words[0], words[1], words[2]),
-                     failed != 0 ? std::strerror(failed) : "it failed, or wrote no such file",
-                     "Call it alone to see why. Then give the same command again: it goes on from here.");
+  std::string why;
+  if (!run_and_wait({program, body_file.string(), file.string()}, why) || !file_exists(file))
+    throw InputError(
+        fmt::format("'{} {} {}' has made no influence functions", program, body_file.string(), file.string()),
+        why.empty() ? "it failed, or wrote no such file" : why,
+        "Call it alone to see why. Then give the same command again: it goes on from here.");
 }
 
 } // namespace

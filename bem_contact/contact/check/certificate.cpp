@@ -250,21 +250,21 @@ Slips slips_of(const ContactProblem& problem, const ContactResult& result, const
   return out;
 }
 
-/// The bounds of a layer that yields. `bound`: of friction at rest, MPa; field. Where friction falls, what
-/// slides may have less friction than the layer bears, though at rest it has more: then the state that is
-/// nearer counts.
-void take_bounds_of_layer(const ContactProblem& problem, const ContactResult& result, Slips& slips,
-                          std::vector<double>& bound) {
-  const double shear = problem.yield->shear;
+/// The bounds of a layer that yields. `bound`: of friction at rest, MPa; `limits`: tau_0; fields. Where
+/// friction falls, what slides may have less friction than the layer bears, though at rest it has more: then
+/// the state that is nearer counts.
+void take_bounds_of_layer(const ContactProblem& problem, const ContactResult& result,
+                          const std::vector<double>& limits, Slips& slips, std::vector<double>& bound) {
   if (!problem.hardens()) {
     for (Slips::Slip& slip : slips.slips) {
+      const double shear = limits[slip.element];
       const double size = std::hypot(result.px[slip.element], result.ps[slip.element]);
       const bool yields = bound[slip.element] > shear &&
                           std::abs(size - shear) <= std::abs(size - std::min(slip.bound, shear));
       slip.bound = yields ? shear : std::min(slip.bound, shear);
     }
-    for (double& at : bound)
-      at = std::min(at, shear);
+    for (std::size_t i = 0; i < bound.size(); ++i)
+      bound[i] = std::min(bound[i], limits[i]);
     return;
   }
   std::vector<double> slip_x(bound.size(), 0.0), slip_s(bound.size(), 0.0);
@@ -272,8 +272,12 @@ void take_bounds_of_layer(const ContactProblem& problem, const ContactResult& re
     slip_x[slip.element] = slip.x;
     slip_s[slip.element] = slip.s;
   }
-  const std::vector<LayerAnswer> answers = contact::PlasticSlip(problem).answers(
-      {.px = result.px, .ps = result.ps, .slip_x = slip_x, .slip_s = slip_s, .friction = bound});
+  const std::vector<LayerAnswer> answers = contact::PlasticSlip(problem).answers({.px = result.px,
+                                                                                  .ps = result.ps,
+                                                                                  .slip_x = slip_x,
+                                                                                  .slip_s = slip_s,
+                                                                                  .friction = bound,
+                                                                                  .limits = limits});
   for (std::size_t i = 0; i < bound.size(); ++i)
     bound[i] = answers[i].bound;
   for (Slips::Slip& slip : slips.slips)
@@ -334,15 +338,21 @@ void check_friction(const ContactProblem& problem, const ContactResult& result, 
   double traction_scale = std::ranges::max(bound);
   if (problem.memory)
     take_remembered_bounds(problem, slips, bound);
+  std::vector<double> temperatures;
+  if (problem.heat_acts())
+    temperatures = contact::warm_temperatures(problem, heat_of(problem, result, slips));
   if (problem.friction_falls_with_heat()) {
-    const std::vector<double> warm = contact::warm_factors(problem, heat_of(problem, result, slips));
-    for (std::size_t i = 0; i < bound.size(); ++i)
-      bound[i] *= warm[i];
+    const auto warm = [&](int i) { return problem.heating->friction->factor(temperatures[i]); };
+    for (int i = 0; i < problem.grid.size(); ++i)
+      bound[i] *= warm(i);
     for (Slips::Slip& slip : slips.slips)
-      slip.bound *= warm[slip.element];
+      slip.bound *= warm(slip.element);
   }
   if (problem.yield) {
-    take_bounds_of_layer(problem, result, slips, bound);
+    std::vector<double> limits(bound.size(), problem.yield->shear);
+    for (std::size_t i = 0; i < temperatures.size(); ++i)
+      limits[i] = problem.yield->at(temperatures[i]);
+    take_bounds_of_layer(problem, result, limits, slips, bound);
     traction_scale = contact::traction_scale(std::ranges::max(bound), traction_scale);
   }
   certificate.friction_cone = relative(cone_violation(result, bound), traction_scale);

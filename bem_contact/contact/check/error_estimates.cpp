@@ -292,8 +292,7 @@ void estimate_temperatures(const ContactProblem& problem, const ContactResult& r
   if (!result.temperatures || !coarse.temperatures || fine.T_gamma_in_slip < least_shown_power * fine.T_gamma)
     return;
   const SurfaceTemperatures other = flash_temperatures(
-      problem, result,
-      problem.friction_falls_with_heat() ? friction_work_density(result) : dissipated_in_slip(result));
+      problem, result, problem.heat_acts() ? friction_work_density(result) : dissipated_in_slip(result));
   const auto parts_of = [&](std::vector<double> SurfaceTemperatures::*surface, const ThermalBody& body) {
     const std::vector<double>& found = (*result.temperatures).*surface;
     ErrorParts out = temperature_parts(problem.grid, found, (*coarse.temperatures).*surface, other.*surface,

@@ -20,8 +20,8 @@ double heat_behind(const ContactProblem& problem, const std::vector<double>& hea
 
 } // namespace
 
-std::vector<double> warm_factors(const ContactProblem& problem, const std::vector<double>& heat) {
-  std::vector<double> factors(heat.size(), 1.0);
+std::vector<double> warm_temperatures(const ContactProblem& problem, const std::vector<double>& heat) {
+  std::vector<double> out(heat.size());
   const Heating& heating = *problem.heating;
   const double rail = heating.rail.effusivity(), wheel = heating.wheel.effusivity();
   const double rail_share = heating.rail_share.value_or(rail / (rail + wheel));
@@ -31,8 +31,8 @@ std::vector<double> warm_factors(const ContactProblem& problem, const std::vecto
           : (rail * heating.rail.temperature + wheel * heating.wheel.temperature) / (rail + wheel);
   const double rise = 0.5 * (rail_share / rail + (1 - rail_share) / wheel); // of the mean, under a unit
   for (int i = 0; i < problem.grid.size(); ++i)
-    factors[i] = heating.friction->factor(cold + rise * heat_behind(problem, heat, i));
-  return factors;
+    out[i] = cold + rise * heat_behind(problem, heat, i);
+  return out;
 }
 
 } // namespace bem_contact::contact

@@ -246,9 +246,11 @@ void require_capacity(const ContactProblem& problem, const FoundCreepage& creepa
         "The shear force prescribed cannot be carried",
         fmt::format("|F| = {:g} N where friction carries less than sum mu p_n dS = {:g} N", wanted,
                     creepage.capacity),
-        problem.friction_varies()
-            ? "Prescribe less, or give a creepage (mu falls in sliding: over the creepage the force has "
-              "a maximum)."
+        problem.bounds_vary()
+            ? fmt::format(
+                  "Prescribe less, or give a creepage ({} in sliding: over the creepage the force has "
+                  "a maximum).",
+                  problem.friction_varies() ? "mu falls" : "the layer softens by heat")
             : "Prescribe less, or give a creepage (full slip leaves it undetermined).");
   const double slipping = problem.kinetic * creepage.capacity;
   if (!creepage.reached && problem.kinetic < 1 && wanted >= slipping)

@@ -5,8 +5,8 @@ namespace bem_contact::contact {
 using Eigen::VectorXd;
 
 ContactElements::ContactElements(const TangentialSystem& system, const TangentialTask& task)
-    : contact(task.contact), layer(task.layer), grid_size(system.size()), stiffness(task.contact.size()),
-      bound(task.contact.size()) {
+    : contact(task.contact), layer(task.layer), limits(task.limits), grid_size(system.size()),
+      stiffness(task.contact.size()), bound(task.contact.size()) {
   for (std::size_t a = 0; a < contact.size(); ++a) {
     stiffness[a] = system.stiffness[contact[a]];
     bound[a] = task.bound[contact[a]];

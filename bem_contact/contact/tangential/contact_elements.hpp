@@ -20,6 +20,7 @@ struct ContactElements {
 
   const std::vector<int>& contact; ///< of the task
   const PlasticSlip* layer;        ///< of the task
+  const Eigen::VectorXd& limits;   ///< of the task
   int grid_size;
   Eigen::VectorXd stiffness, bound; ///< one value an element
 };

@@ -7,7 +7,7 @@ using Eigen::VectorXd;
 Linearisation linearise_hardening(const ContactElements& elements, int columns, const VectorXd& p,
                                   const VectorXd& slip) {
   const int count = elements.unknowns() / 2;
-  TangentialTask task{VectorXd::Zero(elements.grid_size), {}, {}, {}, 0, elements.layer};
+  TangentialTask task{VectorXd::Zero(elements.grid_size), {}, {}, {}, 0, elements.layer, elements.limits};
   std::vector<int> place(elements.grid_size, -1);
   for (int a = 0; a < count; ++a) {
     task.bound[elements.contact[a]] = elements.bound[a];

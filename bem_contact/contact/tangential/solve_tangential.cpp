@@ -106,7 +106,10 @@ void start_from_held_limit(const TangentialSystem& system, const TangentialTask&
   const YieldLimit& limit = task.layer->limit();
   TangentialTask held = task;
   held.layer = nullptr;
-  held.bound = task.bound.cwiseMin(limit.shear);
+  if (task.limits.size() > 0)
+    held.bound = task.bound.cwiseMin(task.limits);
+  else
+    held.bound = task.bound.cwiseMin(limit.shear);
   state.p.setZero();
   newton(system, held, options, work, state);
   newton(system, task, options, work, state);

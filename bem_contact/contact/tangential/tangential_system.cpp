@@ -81,7 +81,8 @@ std::vector<LayerAnswer> layer_answers(const TangentialTask& task, const VectorX
                               .ps = {p.data() + n, n},
                               .slip_x = {slip.data(), n},
                               .slip_s = {slip.data() + n, n},
-                              .friction = {task.bound.data(), n}});
+                              .friction = {task.bound.data(), n},
+                              .limits = {task.limits.data(), std::size_t(task.limits.size())}});
 }
 
 VectorXd bounds_of(const TangentialTask& task, const VectorXd& p, const VectorXd& slip) {

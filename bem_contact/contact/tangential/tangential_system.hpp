@@ -47,6 +47,7 @@ struct TangentialTask {
   double slip_floor = 0;    ///< mm: slip below this is rounding
   /// Of a layer that hardens or softens, if it may yield: it bears less than `bound`. Null: it does not.
   const PlasticSlip* layer = nullptr;
+  Eigen::VectorXd limits = {}; ///< tau_0 at the temperatures of the elements, MPa; field, or empty
 };
 
 struct TangentialState {
@@ -59,8 +60,9 @@ struct TangentialState {
   /// kinetic_friction.hpp: elements that have the kinetic bound, and those that had it from the start;
   /// fields, or empty.
   std::vector<char> slipped = {}, held = {};
-  /// coupled/varying_friction.hpp: mu over mu(0) as used last, and as the slip velocity alone has it; fields,
-  /// empty before the first iteration.
+  /// coupled/varying_friction.hpp: mu over mu(0) as used last, and where the layer softens by heat after it
+  /// tau_0 over its largest; and mu over mu(0) as the slip velocity alone has it; fields, empty before the
+  /// first iteration.
   Eigen::VectorXd factor, by_slip;
 };
 

@@ -20,7 +20,7 @@ Each command of the program has a function here, or is called as a command:
     plot          plot()                                  study         study()
     shakedown     shakedown(), of a Result                fit           fit()
 
-    info, influence, stresses, schema, new, replay, from-contact, explore, options such as --csv    python3 -m bem_contact info FILE.h5, from a shell
+    info, influence, stresses, schema, new, replay, fmu, from-contact, explore, options such as --csv    python3 -m bem_contact info FILE.h5, from a shell
 
 A profile of your own may be arrays: Profile(y, z, kind) goes wherever a profile file goes,
 and Sections(at, profiles) wherever rail.profile goes, for a rail that changes along the track.

@@ -202,14 +202,14 @@ def creep_curves(
 
 def fit(
     scene: _Scene,
-    measured: str | PathLike[str] | Mapping[str, Any],
+    measured: str | PathLike[str] | Mapping[str, Any] | _List[str | PathLike[str] | Mapping[str, Any]],
     parameters: str | _List[str],
     changes: _Changes = None,
     model: _Model = None,
     *,
     folder: str | PathLike[str] | None = None,
 ) -> dict[str, Any]:
-    """Keys of a scene by measured forces (a CSV file, or a dict of columns xi, Fx, scatter), with intervals of 95 %."""
+    """Keys of a scene by measured forces or pressures (CSV files, or dicts of columns xi, Fx, scatter or s, pn), with intervals of 95 %."""
 
 def wheelset(
     scene: _Scene, changes: _Changes = None, model: _Model = None, *, folder: str | PathLike[str] | None = None

@@ -179,9 +179,10 @@ const char* why_not_served(const ContactSetup& setup, const ContactProblem& prob
          : problem.motion != MotionKind::steady ? "it is of steady rolling"
          : problem.kinetic != 1 || problem.friction_falls_with_heat()
              ? "its friction is Coulomb's, which may fall with the slip velocity alone"
-         : setup.layer.normal > 0 ? "it has no layer that yields to pressure"
-         : setup.layer.slope      ? "it knows no slope of influence numbers"
-                                  : nullptr;
+         : problem.layer_softens_by_heat() ? "it knows no temperatures, and the layer softens by heat"
+         : setup.layer.normal > 0          ? "it has no layer that yields to pressure"
+         : setup.layer.slope               ? "it knows no slope of influence numbers"
+                                           : nullptr;
 }
 
 void require_served(const ContactSetup& setup, const ContactProblem& problem) {

@@ -19,7 +19,8 @@ namespace {
 /// sum of mu p_n: a hundred times what the certificate allows.
 constexpr double least_branch_difference = 1e-4;
 /// 1. Sliding as a whole: steps between friction and heat, the part of each that is taken, and the change of
-/// mu over mu(0) at which they end. A fifth settles where mu falls by as much as four times its own change.
+/// a bound over that of cold friction at which they end. A fifth settles where mu falls by as much as four
+/// times its own change.
 constexpr int most_heat_changes = 100;
 constexpr double heat_damping = 0.2;
 constexpr double least_heat_change = 1e-4;
@@ -27,33 +28,42 @@ constexpr double least_heat_change = 1e-4;
 constexpr int most_sliding_steps = 60;
 constexpr int sliding_bits = 12;
 
+/// What an element bears that slides, MPa, of the friction that it has at this velocity cold.
+double borne_at(const ContactProblem& problem, double friction, double temperature) {
+  if (problem.friction_falls_with_heat())
+    friction *= problem.heating->friction->factor(temperature);
+  return problem.yield ? std::min(friction, problem.yield->at(temperature)) : friction;
+}
+
 /// The shear force, N, where all elements slide in one direction at one velocity, mm/s: mu of each row at
-/// that velocity, and at the temperature that this sliding makes. Nothing where these two do not settle.
+/// that velocity, and mu and layer at the temperature that this sliding makes. Nothing where these do not
+/// settle.
 std::optional<double> force_of_sliding(const ContactProblem& problem, const ContactResult& result,
                                        double velocity) {
   const int n = problem.grid.size();
-  std::vector<double> traction(n), factor(n, 1.0), heat(n);
+  std::vector<double> friction(n), borne(n), heat(n);
   std::vector<char> in_contact(n);
   for (int i = 0; i < n; ++i) {
     const int row = i / problem.grid.mx;
-    traction[i] = problem.friction_of(row) * problem.falling_factor(row, velocity) * result.pn[i];
+    friction[i] = problem.friction_of(row) * problem.falling_factor(row, velocity) * result.pn[i];
+    borne[i] = problem.yield ? std::min(friction[i], problem.yield->shear) : friction[i];
     in_contact[i] = result.pn[i] > 0;
   }
-  const auto force = [&] {
-    return problem.element_area() * std::inner_product(traction.begin(), traction.end(), factor.begin(), 0.0);
-  };
-  if (!problem.friction_falls_with_heat())
+  const auto force = [&] { return problem.element_area() * std::reduce(borne.begin(), borne.end()); };
+  if (!problem.heat_acts())
     return force();
   for (int k = 0; k < most_heat_changes; ++k) {
     for (int i = 0; i < n; ++i)
-      heat[i] = factor[i] * traction[i] * velocity;
+      heat[i] = borne[i] * velocity;
     const SurfaceTemperatures at =
         flash_temperatures(problem.grid, *problem.heating, problem.speed, heat, in_contact);
     double change = 0;
     for (int i = 0; i < n; ++i) {
-      const double step = problem.heating->friction->factor(at.mean(i)) - factor[i];
-      factor[i] += heat_damping * step; // less friction makes less heat: whole steps would swing
-      change = std::max(change, std::abs(step) * in_contact[i]);
+      if (!in_contact[i])
+        continue;
+      const double step = borne_at(problem, friction[i], at.mean(i)) - borne[i];
+      borne[i] += heat_damping * step; // less friction makes less heat: whole steps would swing
+      change = std::max(change, std::abs(step) / friction[i]);
     }
     if (change < least_heat_change)
       return force();
@@ -85,12 +95,14 @@ std::string larger_creepage(const ContactProblem& problem, const ContactResult& 
   const std::optional<double> velocity = velocity_of_sliding(problem, result);
   if (!velocity)
     return "";
-  return fmt::format("friction falls with {}, and two creepages give the shear force: the "
+  return fmt::format("{}, and two creepages give the shear force: the "
                      "smaller one was taken "
                      "({:.3g} along x, {:.3g} along s); sliding as a whole at some {:.3g} (slip velocity "
                      "{:.3g} mm/s) carries it "
                      "too. Give a creepage (motion.xi, eta) to choose.",
-                     problem.friction_falls() ? "the slip velocity" : "temperature",
+                     problem.friction_falls()    ? "friction falls with the slip velocity"
+                     : problem.friction_varies() ? "friction falls with temperature"
+                                                 : "the layer softens by heat",
                      result.totals.creepage_x.value, result.totals.creepage_s.value,
                      *velocity / problem.speed, *velocity);
 }
@@ -105,11 +117,11 @@ std::string forces_text(const ContactResult& result) {
 
 std::string second_solution(const ContactProblem& problem, const ContactResult& result, SolverOptions options,
                             WorkBudget& work) {
-  if (!problem.has_friction() || !problem.friction_varies() || problem.motion != MotionKind::steady ||
+  if (!problem.has_friction() || !problem.bounds_vary() || problem.motion != MotionKind::steady ||
       !result.certified())
     return "";
-  if ((problem.force_x || problem.force_s) && problem.memory)
-    return ""; // how fast all slides with it depends on the place
+  if ((problem.force_x || problem.force_s) && (problem.memory || problem.hardens()))
+    return ""; // how fast all slides with it depends on the place, or on how far the layer has yielded
   if (problem.force_x || problem.force_s)
     return larger_creepage(problem, result);
   options.from_sliding = true;
@@ -121,9 +133,10 @@ std::string second_solution(const ContactProblem& problem, const ContactResult& 
     if (!other.certified() || change <= least_branch_difference * friction_bound(problem, result))
       return "";
     return fmt::format(
-        "friction falls so steeply that this contact has two solutions: taken is the one that comes "
+        "{} so steeply that this contact has two solutions: taken is the one that comes "
         "from adhesion ({}); from sliding comes {}. Which one occurs depends on what was before.",
-        forces_text(result), forces_text(other));
+        problem.friction_varies() ? "friction falls" : "the layer softens by heat", forces_text(result),
+        forces_text(other));
   } catch (const Error&) { // no such solution, or no work left to look for it
     return "";
   }

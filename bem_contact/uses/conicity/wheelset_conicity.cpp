@@ -134,11 +134,9 @@ WheelsetOnTrack wheelset_of(const SceneFile& scene, const LeftProfiles& left) {
     throw InputError("This scene has no wheelset", "its kind is \"patch\"",
                      "Give a scene with kind = \"wheel_rail\".");
   if (scene.changes_along())
-    throw InputError(
+    refuse_uneven(
         "There is no conicity of an uneven wheel or rail",
-        "a wheelset steers by the mean of many turns, and a flat, a polygon or a joint is at one "
-        "place",
-        "Leave out wheel.flat, wheel.polygon, rail.joint and rail.sections.");
+        "a wheelset steers by the mean of many turns, and a flat, a polygon or a joint is at one place");
   const WheelRailProfiles right = read_profiles(scene);
   const auto warn = [&](const char* side, const std::string& text) {
     if (!text.empty())

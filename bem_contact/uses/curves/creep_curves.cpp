@@ -263,6 +263,12 @@ bool certified(const CreepCurves& all) {
          });
 }
 
+SceneResult solve_held(const SceneFile& scene, const HeldContact& held, const std::atomic<bool>* stop) {
+  const Creepages own{scene.motion.xi, scene.motion.eta, scene.motion.phi};
+  return Sequence({.displacements = false}, shared_files())
+      .solve(scene_at(held_scene(scene, held), held.offset, own), stop);
+}
+
 std::vector<CreepPoint> creep_points(const SceneFile& scene, const HeldContact& held,
                                      std::span<const Creepages> points, const std::atomic<bool>* stop) {
   Sequence sequence({.displacements = false}, shared_files());

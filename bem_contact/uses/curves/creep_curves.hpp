@@ -94,6 +94,10 @@ struct HeldContact {
 /// Of a scene and its first solution.
 HeldContact held_by(const SceneFile& scene, const SceneResult& first);
 
+/// Solves a scene at its own creepages, with what is held. Throws as Sequence::solve() does.
+SceneResult solve_held(const SceneFile& scene, const HeldContact& held,
+                       const std::atomic<bool>* stop = nullptr);
+
 /// Throws InputError for a scene without friction, one that is no steady rolling, one that prescribes shear
 /// forces, and for ranges of too many points or of values that are not finite.
 void require_creepages(const SceneFile& scene, std::span<const CreepRange> ranges);

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/toml.hpp"
+#include "bem_contact/scene/csv_table.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
@@ -11,7 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <sstream>
+#include <iterator>
+#include <ranges>
 
 namespace bem_contact::fit {
 
@@ -75,7 +77,9 @@ std::vector<NamedUnknown> unknowns_of(const Question& q, const SceneReader& read
   for (const std::string& key : q.keys) {
     if (std::ranges::count(q.keys, key) > 1)
       throw InputError(fmt::format("'{}' is named twice", key), "each key has one value", "Name it once.");
-    if (key == creepage_keys[static_cast<std::size_t>(q.measured.which)])
+    if (std::ranges::any_of(q.measured.forces, [&](const MeasuredForces& m) {
+          return key == creepage_keys[static_cast<std::size_t>(m.which)];
+        }))
       throw InputError(fmt::format("'{}' cannot be fitted", key), "it is what the points vary",
                        "Name keys that are the same for all points.");
     out.push_back(unknown_of(reader, values, key));
@@ -87,22 +91,37 @@ std::vector<NamedUnknown> unknowns_of(const Question& q, const SceneReader& read
 void require_points(const Question& q) {
   if (q.keys.empty())
     throw InputError("There is nothing to fit", "no key is named", "Name one, as layer.compliance.");
-  if (q.measured.measured.size() <= q.keys.size())
-    throw InputError(fmt::format("{} points are too few", q.measured.measured.size()),
+  if (q.measured.points() <= q.keys.size())
+    throw InputError(fmt::format("{} points are too few", q.measured.points()),
                      fmt::format("{} numbers are fitted, and what is left over says how well", q.keys.size()),
                      fmt::format("Give {} points or more.", q.keys.size() + 1));
-  if (std::ranges::find(q.measured.scatter, 0.0) != q.measured.scatter.end())
-    throw InputError("A point has a scatter of 0", "it would outweigh all others",
-                     "Give its standard deviation, or leave out the column scatter.");
+  std::size_t with_scatter = 0, without = 0;
+  const auto look_at = [&](const auto& table) {
+    (table.scatter.empty() ? without : with_scatter) += 1;
+    if (std::ranges::find(table.scatter, 0.0) != table.scatter.end())
+      throw InputError("A point has a scatter of 0", "it would outweigh all others",
+                       "Give its standard deviation, or leave out the column scatter.");
+    if (table.scatter.empty() && std::ranges::all_of(table.measured, [](double v) { return v == 0; }))
+      throw InputError("A table of what was measured is 0 everywhere", "nothing says how its points count",
+                       "Give the column scatter, or leave the table out.");
+  };
+  std::ranges::for_each(q.measured.forces, look_at);
+  std::ranges::for_each(q.measured.pressures, look_at);
+  if (with_scatter > 0 && without > 0)
+    throw InputError("One table has the scatter of its points, and another has not",
+                     "nothing says how their points count beside each other",
+                     "Give the column scatter in all of them, or in none.");
 }
 
-/// Forces at creepages for values of the keys.
+/// What the program has for each point that was measured, for values of the keys.
 class FittedScene {
 public:
   FittedScene(const Question& q, SceneReader& reader, HeldContact held, const std::atomic<bool>* stop)
       : question_(q), reader_(reader), held_(std::move(held)), stop_(stop) {
     if (std::ranges::find(q.keys, "layer.slope") != q.keys.end())
       held_.layer_compliance.reset();
+    if (std::ranges::find(q.keys, "position.lateral") != q.keys.end())
+      held_.lateral.reset();
   }
 
   SceneFile with(std::span<const double> values) {
@@ -112,14 +131,31 @@ public:
   }
 
   /// Throws InputError where such a scene is refused, ConvergenceError where it has no certified solution.
-  std::vector<double> forces(std::span<const double> values, std::span<const double> creepages) {
+  std::vector<double> all(std::span<const double> values) {
+    std::vector<double> out;
+    for (const MeasuredForces& m : question_.measured.forces)
+      std::ranges::copy(forces(values, m, m.creepage), std::back_inserter(out));
+    if (question_.measured.pressures.empty())
+      return out;
+    const SceneResult result = solve_held(with(values), held_, stop_);
+    if (!certified(result))
+      throw ConvergenceError("The measured pressures have no certified solution (its certificate does not "
+                             "hold) Use other elements (grid).");
+    for (const MeasuredPressures& m : question_.measured.pressures)
+      std::ranges::copy(pressures_at(m, result), std::back_inserter(out));
+    return out;
+  }
+
+  /// The force of these points at these creepages.
+  std::vector<double> forces(std::span<const double> values, const MeasuredForces& points,
+                             std::span<const double> creepages) {
     const SceneFile scene = with(values);
     std::vector<Creepages> at(creepages.size(), {scene.motion.xi, scene.motion.eta, scene.motion.phi});
     for (std::size_t i = 0; i < at.size(); ++i)
-      at[i][static_cast<std::size_t>(question_.measured.which)] = creepages[i];
+      at[i][static_cast<std::size_t>(points.which)] = creepages[i];
     std::vector<double> out;
     for (const CreepPoint& point : creep_points(scene, held_, at, stop_)) {
-      out.push_back(point.forces[static_cast<std::size_t>(question_.measured.force)]);
+      out.push_back(point.forces[static_cast<std::size_t>(points.force)]);
       if (!point.certified)
         throw ConvergenceError("A measured point has no certified solution (its certificate does not hold) "
                                "Use other elements (grid), or leave the point out.");
@@ -127,10 +163,20 @@ public:
     return out;
   }
 
-  Theory theory(std::span<const double> creepages) {
-    return [this, creepages](std::span<const double> values) -> std::optional<std::vector<double>> {
+  Theory theory() {
+    return searched([this](std::span<const double> values) { return all(values); });
+  }
+  Theory theory(const MeasuredForces& points, std::span<const double> creepages) {
+    return searched([this, &points, creepages](std::span<const double> values) {
+      return forces(values, points, creepages);
+    });
+  }
+
+private:
+  template <class Computed> static Theory searched(const Computed& computed) {
+    return [computed](std::span<const double> values) -> std::optional<std::vector<double>> {
       try {
-        return forces(values, creepages);
+        return computed(values);
       } catch (const InputError&) {
       } catch (const ConvergenceError&) {
       }
@@ -138,7 +184,6 @@ public:
     };
   }
 
-private:
   const Question& question_;
   SceneReader& reader_;
   HeldContact held_;
@@ -167,55 +212,127 @@ std::vector<double> curve_over(const std::vector<double>& measured) {
   return out;
 }
 
-Points points_of(const MeasuredForces& m) {
-  Points out{m.measured, std::vector(m.measured.size(), 1.0)};
-  for (std::size_t i = 0; i < m.scatter.size(); ++i)
-    out.weights[i] = 1 / m.scatter[i];
+Points points_of(const Measurements& all) {
+  Points out;
+  const auto add = [&](const auto& table) {
+    const auto [least, most] = std::ranges::minmax(table.measured);
+    for (std::size_t i = 0; i < table.measured.size(); ++i) {
+      out.measured.push_back(table.measured[i]);
+      out.weights.push_back(
+          1 / (table.scatter.empty() ? std::max(std::abs(least), std::abs(most)) : table.scatter[i]));
+    }
+  };
+  std::ranges::for_each(all.forces, add);
+  std::ranges::for_each(all.pressures, add);
   return out;
 }
 
-/// The curve at the found values, and the band of what else the points allow.
-void add_curves(CurveFit& out, FittedScene& fitted, const Solution& solution, const Spread& spread,
-                std::span<const Unknown> unknowns, const std::atomic<bool>* stop) {
-  const std::vector<double> over = curve_over(out.measured.creepage);
-  out.curves = creep_curves_beside(out.measured, out.scene, {{out.measured.which, over}}, stop);
-  const std::vector<double> slopes = slopes_of(fitted.theory(over), unknowns, solution.values);
+double root_of_mean_square(std::span<const double> differences) {
+  double squares = 0;
+  for (const double off : differences)
+    squares += off * off;
+  return std::sqrt(squares / double(differences.size()));
+}
+
+/// The curve over the first forces at the found values, and the band of what else the points allow.
+void add_curve(CurveFit& out, FittedScene& fitted, const Solution& solution, const Spread& spread,
+               std::span<const Unknown> unknowns, const std::atomic<bool>* stop) {
+  MeasuredForces& first = out.measured.forces.front();
+  std::vector<double> measured;
+  for (const MeasuredForces& m : out.measured.forces)
+    if (m.which == first.which)
+      measured.insert(measured.end(), m.creepage.begin(), m.creepage.end());
+  const std::vector<double> over = curve_over(measured);
+  out.curves = creep_curves_beside(first, out.scene, {{first.which, over}}, stop);
+  const std::vector<double> slopes = slopes_of(fitted.theory(first, over), unknowns, solution.values);
   const std::size_t count = unknowns.size();
   for (std::size_t i = 0; i < over.size(); ++i)
-    out.band.push_back(
-        band_of(spread, solution.values,
-                out.curves.curves[0].points[i].forces[static_cast<std::size_t>(out.measured.force)],
-                std::span(slopes).subspan(i * count, count)));
-  double squares = 0;
-  for (std::size_t i = 0; i < out.measured.measured.size(); ++i)
-    squares += std::pow(out.measured.computed[i].forces[static_cast<std::size_t>(out.measured.force)] -
-                            out.measured.measured[i],
-                        2);
-  out.misfit = std::sqrt(squares / double(out.measured.measured.size()));
+    out.band.push_back(band_of(spread, solution.values,
+                               out.curves->curves[0].points[i].forces[static_cast<std::size_t>(first.force)],
+                               std::span(slopes).subspan(i * count, count)));
+}
+
+/// What the found values give at the points.
+void add_computed(CurveFit& out, FittedScene& fitted, const Solution& solution, const Spread& spread,
+                  std::span<const Unknown> unknowns, const std::atomic<bool>* stop) {
+  Measurements& m = out.measured;
+  if (m.forces.empty())
+    out.solution = Sequence({.displacements = false}, shared_files()).solve(out.scene, stop);
+  else {
+    add_curve(out, fitted, solution, spread, unknowns, stop);
+    out.solution = out.curves->solution;
+  }
+  for (MeasuredForces& more : m.forces | std::views::drop(1))
+    creep_curves_beside(more, out.scene, {}, stop);
+  std::size_t first = 0;
+  for (const MeasuredForces& forces : m.forces)
+    first += forces.measured.size();
+  for (MeasuredPressures& line : m.pressures) {
+    const auto here = std::span(solution.computed).subspan(first, line.measured.size());
+    line.computed.assign(here.begin(), here.end());
+    line.certified = true; // the theory has no others
+    first += here.size();
+  }
 }
 
 } // namespace
 
 bool certified(const CurveFit& fit) {
-  return fit.converged && certified(fit.curves) && certified(fit.measured);
+  return fit.converged && certified(fit.solution) && (!fit.curves || certified(*fit.curves)) &&
+         std::ranges::all_of(fit.measured.forces,
+                             [](const MeasuredForces& m) { return bem_contact::certified(m); }) &&
+         std::ranges::all_of(fit.measured.pressures, &MeasuredPressures::certified);
 }
 
-std::vector<std::string> keys_in(const std::string& list) {
-  std::vector<std::string> out;
-  std::istringstream words(list);
-  for (std::string word; std::getline(words, word, ',');) {
-    std::erase(word, ' ');
-    if (!word.empty())
-      out.push_back(word);
+std::size_t Measurements::points() const {
+  std::size_t count = 0;
+  for (const MeasuredForces& m : forces)
+    count += m.measured.size();
+  for (const MeasuredPressures& m : pressures)
+    count += m.measured.size();
+  return count;
+}
+
+void add_measured(Measurements& all, const std::string& source, const std::vector<std::string>& columns,
+                  const std::vector<std::vector<double>>& rows) {
+  if (rows.empty())
+    throw InputError(fmt::format("The table '{}' cannot be used", source), "it has no points",
+                     "Give points, or leave it out.");
+  if (holds_pressures(columns))
+    all.pressures.push_back(measured_pressures(source, columns, rows));
+  else
+    all.forces.push_back(measured_forces(source, columns, rows));
+}
+
+Measurements read_measured(const std::vector<std::string>& files) {
+  Measurements out;
+  for (const std::string& file : files) {
+    const std::vector<std::string> columns = csv_columns(file);
+    add_measured(out, file, columns, read_csv(file, columns));
   }
   return out;
+}
+
+double misfit_of(const MeasuredForces& m) {
+  std::vector<double> off;
+  for (std::size_t i = 0; i < m.measured.size(); ++i)
+    off.push_back(m.computed[i].forces[static_cast<std::size_t>(m.force)] - m.measured[i]);
+  return root_of_mean_square(off);
+}
+
+double misfit_of(const MeasuredPressures& m) {
+  std::vector<double> off;
+  for (std::size_t i = 0; i < m.measured.size(); ++i)
+    off.push_back(m.computed[i] - m.measured[i]);
+  return root_of_mean_square(off);
 }
 
 CurveFit fit_curve(const Question& question, const std::atomic<bool>* stop) {
   require_points(question);
   SceneReader reader = reader_of(question);
   const SceneFile first = with_model(reader.scene(), question.model);
-  require_creepages(first, std::vector<CreepRange>{{question.measured.which, question.measured.creepage}});
+  for (const MeasuredForces& m : question.measured.forces)
+    require_creepages(first, std::vector<CreepRange>{{m.which, m.creepage}});
   const std::vector<NamedUnknown> named = unknowns_of(question, reader, first);
   std::vector<Unknown> unknowns;
   for (const NamedUnknown& one : named)
@@ -225,9 +342,9 @@ CurveFit fit_curve(const Question& question, const std::atomic<bool>* stop) {
   std::vector<double> guess;
   for (const Unknown& unknown : unknowns)
     guess.push_back(unknown.start);
-  fitted.forces(guess, question.measured.creepage); // throws where the search had nothing to begin from
+  fitted.all(guess); // throws where the search had nothing to begin from
   const Points points = points_of(question.measured);
-  const Solution solution = least_squares(fitted.theory(question.measured.creepage), points, unknowns);
+  const Solution solution = least_squares(fitted.theory(), points, unknowns);
   const Spread spread = bootstrap(solution, points, unknowns);
   CurveFit out;
   for (std::size_t k = 0; k < named.size(); ++k)
@@ -239,7 +356,7 @@ CurveFit fit_curve(const Question& question, const std::atomic<bool>* stop) {
   out.tried = solution.evaluations;
   out.converged = solution.converged;
   out.scene = fitted.with(solution.values);
-  add_curves(out, fitted, solution, spread, unknowns, stop);
+  add_computed(out, fitted, solution, spread, unknowns, stop);
   out.undetermined = undetermined(out);
   return out;
 }

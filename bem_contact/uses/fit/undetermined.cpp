@@ -35,19 +35,21 @@ std::string of_key(const FittedKey& k) {
 }
 
 /// The creepage at which nothing slides, as the points count it; nothing where it is not known.
-std::optional<double> middle_of(const CurveFit& fit) {
-  const SceneResult& solution = fit.curves.solution;
-  if (fit.measured.which == CreepKind::xi && solution.motion.free_rolling)
+std::optional<double> middle_of(const CurveFit& fit, const MeasuredForces& measured) {
+  const SceneResult& solution = fit.solution;
+  if (measured.which == CreepKind::xi && solution.motion.free_rolling)
     return fit.scene.motion.from_free_rolling ? 0 : solution.motion.free_rolling->xi.value;
   return fit.scene.kind == SceneKind::patch ? std::optional(0.0) : std::nullopt;
 }
 
 /// Of the slope of the force: measured only by points where little slips.
 std::string of_slope(const CurveFit& fit) {
-  const MeasuredForces& m = fit.measured;
+  if (!fit.curves)
+    return "";
+  const MeasuredForces& m = fit.measured.forces.front();
   const auto force = static_cast<std::size_t>(m.force), which = static_cast<std::size_t>(m.which);
-  const double slope = fit.curves.slopes.values[force][which];
-  const std::optional<double> middle = middle_of(fit);
+  const double slope = fit.curves->slopes.values[force][which];
+  const std::optional<double> middle = middle_of(fit, m);
   if (!middle || m.force == CreepForce::Mz || !std::isfinite(slope) || slope == 0)
     return "";
   const auto distance = [&](std::size_t i) { return std::abs(m.creepage[i] - *middle); };

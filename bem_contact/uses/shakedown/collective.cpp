@@ -7,6 +7,7 @@
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/uses/shakedown/fatigue_limits.hpp"
 #include "bem_contact/uses/shakedown/patch_columns.hpp"
+#include "bem_contact/uses/shakedown/place_in_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,17 +25,13 @@ constexpr double depth_power = 1.5;
 
 /// A map of a section between its points; 0 beside it.
 double value_at(const inside::Section& section, const std::vector<double>& map, double s, double depth) {
-  const auto place = [](const std::vector<double>& all, double at) -> std::pair<std::size_t, double> {
-    const auto after = std::ranges::upper_bound(all, at);
-    const auto i = std::clamp<std::ptrdiff_t>(after - all.begin() - 1, 0, std::ssize(all) - 2);
-    const auto first = static_cast<std::size_t>(i);
-    return {first, (at - all[first]) / (all[first + 1] - all[first])};
-  };
   if (s < section.s.front() || s > section.s.back() || depth > section.depths.back())
     return 0;
-  const auto [is, u] = place(section.s, s);
-  const auto [id, v] = place(section.depths, depth);
-  const auto at = [&](std::size_t i, std::size_t j) { return map[section.point(is + i, id + j)]; };
+  const PlaceInTable across(section.s, s), down(section.depths, depth);
+  const double u = across.share, v = down.share;
+  const auto at = [&](std::size_t i, std::size_t j) {
+    return map[section.point(across.line + i, down.line + j)];
+  };
   return (1 - u) * ((1 - v) * at(0, 0) + v * at(0, 1)) + u * ((1 - v) * at(1, 0) + v * at(1, 1));
 }
 

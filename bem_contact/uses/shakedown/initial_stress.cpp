@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/csv_table.hpp"
+#include "bem_contact/uses/shakedown/place_in_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,16 +34,6 @@ constexpr double no_traction = 1e-9;
 bool is_rising(std::span<const double> values) {
   return !values.empty() && std::ranges::all_of(values, [](double v) { return std::isfinite(v); }) &&
          std::ranges::adjacent_find(values, std::greater_equal()) == values.end();
-}
-
-/// The line before a place, and the share of the way to the next one.
-std::pair<std::size_t, double> place_in(const std::vector<double>& lines, double at) {
-  if (at <= lines.front() || lines.size() == 1)
-    return {0, 0};
-  if (at >= lines.back())
-    return {lines.size() - 1, 0};
-  const auto after = static_cast<std::size_t>(std::ranges::upper_bound(lines, at) - lines.begin());
-  return {after - 1, (at - lines[after - 1]) / (lines[after] - lines[after - 1])};
 }
 
 [[noreturn]] void refuse(const std::string& file, const std::string& why, const std::string& what_to_do) {
@@ -92,11 +83,12 @@ InitialStress::InitialStress(std::vector<double> s, std::vector<double> depths, 
 }
 
 Stress InitialStress::at(double s, double depth) const {
-  const auto [is, u] = place_in(s_, s);
-  const auto [id, v] = place_in(depths_, depth);
+  const PlaceInTable across(s_, s), down(depths_, depth);
   Stress out;
-  for (const auto& [i, weight_s] : {std::pair{is, 1 - u}, std::pair{is + 1, u}})
-    for (const auto& [j, weight_depth] : {std::pair{id, 1 - v}, std::pair{id + 1, v}})
+  for (const auto& [i, weight_s] :
+       {std::pair{across.line, 1 - across.share}, std::pair{across.line + 1, across.share}})
+    for (const auto& [j, weight_depth] :
+         {std::pair{down.line, 1 - down.share}, std::pair{down.line + 1, down.share}})
       if (weight_s > 0 && weight_depth > 0)
         out.add(weight_s * weight_depth, values_[i * depths_.size() + j]);
   return out;

@@ -5,6 +5,7 @@
 #include "bem_contact/record/record.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
@@ -173,9 +174,7 @@ std::string group_of_case(std::size_t index) {
 
 void add_counts(H5Table& table, std::span<const std::size_t> counts) {
   for (std::size_t s = 0; s < counts.size(); ++s) {
-    std::string name(name_of(static_cast<record::Outcome>(s)));
-    std::ranges::replace(name, ' ', '_');
-    table.datasets[name + "_count"] = {
+    table.datasets[record::count_name(static_cast<record::Outcome>(s))] = {
         {}, {static_cast<double>(counts[s])}, "1", "cases of this status", true};
   }
 }
@@ -208,7 +207,7 @@ void require_within(CaseRange range, std::span<const double> values, const std::
 }
 
 SweepSummary sweep_summary(const H5Reader& file, std::size_t cases) {
-  std::map<std::string_view, std::size_t> counts;
+  std::array<std::size_t, record::outcomes_of_cases> counts{};
   std::size_t warned = 0;
   Times times;
   for (std::size_t first = 0; first < cases; first += rows_at_once) {
@@ -219,20 +218,15 @@ SweepSummary sweep_summary(const H5Reader& file, std::size_t cases) {
     const std::vector<double> seconds = file.line("cpu_seconds", first, count);
     for (std::size_t i = 0; i < count; ++i) {
       const auto kind = static_cast<record::Outcome>(status[i]);
-      ++counts[name_of(kind)];
+      ++counts[static_cast<std::size_t>(kind)];
       warned += warnings[i] > 0; // nan: no result
       if (kind != record::Outcome::died && !std::isnan(seconds[i]))
         times.add(seconds[i]);
     }
   }
 
-  const std::string_view certified = name_of(record::Outcome::certified);
-  SweepSummary out{"", "", counts[certified] == cases};
-  out.counts = fmt::format("{} of {} certified", counts[certified], counted(cases, "case is", "cases are"));
-  for (const auto& [name, number] : counts)
-    if (number > 0 && name != certified)
-      out.counts += fmt::format("; {}: {}", name, number);
-  out.counts += ".\n";
+  SweepSummary out{record::counts_text(counts) + '\n', "",
+                   counts[static_cast<std::size_t>(record::Outcome::certified)] == cases};
   if (warned > 0)
     out.more = fmt::format("{} warnings (column warning_count; reason says which)\n",
                            counted(warned, "case has", "cases have"));

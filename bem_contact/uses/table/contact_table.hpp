@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -45,6 +46,9 @@ struct Column {
   double interpolation_error = std::numeric_limits<double>::quiet_NaN();
   /// Largest error by the size of the elements that a point states, in its unit; nan: not known.
   double element_error = std::numeric_limits<double>::quiet_NaN();
+  /// How far a value that is looked up may be off, in its unit: between the points and by the elements; where
+  /// the second is not known, between the points alone.
+  double error() const { return interpolation_error + (std::isnan(element_error) ? 0 : element_error); }
   /// There is one value for each point, in its unit; the last axis runs fastest: [first axis][second
   /// axis]..., unless axes are nested.
   std::vector<double> values{};

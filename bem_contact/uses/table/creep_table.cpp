@@ -268,12 +268,16 @@ TabulatedForces creep_forces(const ContactTable& table, const CreepContact& cont
   at[along_t] = w / (1 + w);
   const std::vector<PointWeight> weights = weights_at(table, at);
   const Column &fx = table.column("Fx"), &fy = table.column("Fy"), &mz = table.column("Mz");
-  return {std::copysign(contact.bound, xi) * interpolate(fx, weights),
-          sign * contact.bound * interpolate(fy, weights),
+  // Friction bears no more than mu N. What is beyond comes closer to every force that there can be, so the
+  // stated errors hold.
+  const double ahead = interpolate(fx, weights), across = interpolate(fy, weights);
+  const double within = contact.bound / std::max(1.0, std::hypot(ahead, across));
+  return {std::copysign(within, xi) * ahead,
+          sign * within * across,
           sign * contact.bound * radius * interpolate(mz, weights),
-          contact.bound * fx.interpolation_error,
-          contact.bound * fy.interpolation_error,
-          contact.bound * radius * mz.interpolation_error};
+          contact.bound * fx.error(),
+          contact.bound * fy.error(),
+          contact.bound * radius * mz.error()};
 }
 
 } // namespace bem_contact::table

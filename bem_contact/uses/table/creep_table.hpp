@@ -46,14 +46,15 @@ struct CreepContact {
   double bound = 0;         ///< mu N, N
 };
 
-/// Forces and moment on the rail, and the errors of each that the table states for its interpolation.
+/// Forces and moment on the rail, and the errors of each that the table states (Column::error()).
 struct TabulatedForces {
   double Fx = 0, Fy = 0, Mz = 0;                   ///< N, N, N mm
   double Fx_error = 0, Fy_error = 0, Mz_error = 0; ///< the same
 };
 
-/// Looks up forces for xi (1), eta (1) and phi (1/mm). Throws InputError if a/b is outside the table
-/// (creepages never are), for a contact that is none, and for a table of a scene.
+/// Looks up forces for xi (1), eta (1) and phi (1/mm); together Fx and Fy are never larger than mu N. Throws
+/// InputError if a/b is outside the table (creepages never are), for a contact that is none, and for a table
+/// of a scene.
 TabulatedForces creep_forces(const ContactTable& table, const CreepContact& contact, double xi, double eta,
                              double phi);
 

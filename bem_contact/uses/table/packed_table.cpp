@@ -71,7 +71,7 @@ std::vector<double> packed(const ContactTable& table, std::span<const std::strin
   for (const Axis& axis : table.axes)
     out.insert(out.end(), axis.points.begin(), axis.points.end());
   for (const Column* column : taken)
-    out.push_back(column->interpolation_error + column->element_error);
+    out.push_back(column->error());
   for (std::size_t i = 0; i < table.size(); ++i)
     for (const Column* column : taken)
       out.push_back(column->values[i]);

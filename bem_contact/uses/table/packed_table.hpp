@@ -9,9 +9,9 @@
 namespace bem_contact::table {
 
 /// A table as conformal_packed_table.h looks it up, in some microseconds: the columns of these names in their
-/// order; empty: all of them. The values are those of look_up(), and the stated error of a column is that
-/// between the points and that of the elements (nan: not known). Throws InputError for a table with nested
-/// axes (of creep forces), too many axes or columns, or a name that no column has.
+/// order; empty: all of them. The values are those of look_up(), and errors are Column::error(). Throws
+/// InputError for a table with nested axes (of creep forces), too many axes or columns, or a name that no
+/// column has.
 std::vector<double> packed(const ContactTable& table, std::span<const std::string> columns = {});
 
 /// The same as one C source without any library (C89): the functions of conformal_packed_table.h, the array
@@ -20,7 +20,7 @@ std::string packed_source(const ContactTable& table, std::span<const std::string
 
 /// A look-up in packed(): a value of each column, and its derivatives along the axes.
 struct PackedForces {
-  std::vector<double> values, errors; ///< [column], errors as stated; nan: not known
+  std::vector<double> values, errors; ///< [column], errors as stated
   std::vector<double> derivatives;    ///< [column][axis]
 };
 /// For users. Throws InputError outside the axes, and for another number of coordinates.

@@ -151,7 +151,8 @@ ContactTable table_of(const SceneTable& described) {
       throw InputError(fmt::format("table.{} is no axis", axis.key),
                        "its values do not grow, or there is only one",
                        "Give two or more in growing order; a single value belongs into the scene.");
-    table.axes.push_back({axis.key, unit_of_key(axis.key), "key of the scene", points});
+    const std::string unit = unit_of_key(axis.key);
+    table.axes.push_back({axis.key, unit.empty() ? "1" : unit, "key of the scene", points});
   }
   if (table.axes.empty())
     throw InputError("The table has no axis", "no list of numbers is given",

@@ -209,8 +209,7 @@ std::string to_text(const ContactTable& table) {
     out += fmt::format("\n{} '{}' {}\n{:.17g}\n{}", axis.name, axis.unit, axis.first.size(),
                        fmt::join(axis.points, "\n"), fmt::join(axis.first, "\n"));
   for (const Column& c : table.columns)
-    out += fmt::format("\n{} '{}' {:.6g}\n{:.17g}", c.name, c.unit, c.interpolation_error,
-                       fmt::join(c.values, "\n"));
+    out += fmt::format("\n{} '{}' {:.6g}\n{:.17g}", c.name, c.unit, c.error(), fmt::join(c.values, "\n"));
   out += "\n";
   if (const auto& s = table.scale)
     for (std::size_t i = 0; i < s->c11.size(); ++i)

@@ -31,7 +31,7 @@ void write_table(const std::filesystem::path& file, const record::Record& head, 
 ///     AXES COLUMNS SCALES                   (SCALES: points of the creep scale, 0 of a scene)
 ///     n of each axis
 ///     NAME 'UNIT' M, the n points, M first  (each axis; M = 0: not nested)
-///     NAME 'UNIT' ERROR, then all values    (each column; ERROR: of the interpolation)
+///     NAME 'UNIT' ERROR, then all values    (each column; ERROR: stated, Column::error())
 ///     log10(a/b) C11 C22                    (each point of the scale)
 std::string to_text(const ContactTable& table);
 

@@ -218,9 +218,8 @@ void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& 
           "one pair of profiles wears under the loads of one wheel, and [wheelset] is given",
           "Leave out [sweep] for what one wheelset wears away, or give load.force instead of [wheelset].");
     if (scene.changes_along())
-      throw InputError("An uneven wheel or rail cannot wear",
-                       "profiles that wear are the same all round the wheel and all along the rail",
-                       "Leave out wheel.flat, wheel.polygon, rail.joint and rail.sections.");
+      refuse_uneven("An uneven wheel or rail cannot wear",
+                    "profiles that wear are the same all round the wheel and all along the rail");
     if (!(scene.rail == first.rail) || !(scene.wheel == first.wheel))
       throw InputError("The cases of the load collective have different bodies",
                        "one pair of profiles wears under all of them", "Sweep over other keys.");

@@ -58,9 +58,8 @@ WearRates rates_of(const SceneResult& result, const Wear& wear, double axle_forc
     throw InputError("There is no wear by kilometre of a patch", "it has no wheel, whose radius would count",
                      "Give a scene of a wheel on a rail.");
   if (result.motion.slope_force)
-    throw InputError("There is no wear by kilometre of an uneven wheel or rail",
-                     "the contact is another at each place",
-                     "Leave out wheel.flat, wheel.polygon, rail.joint and rail.sections.");
+    refuse_uneven("There is no wear by kilometre of an uneven wheel or rail",
+                  "the contact is another at each place");
   const double turn = 2 * std::numbers::pi * result.motion.rolling.radius_at(result.motion.xi); // mm
   const double mass = axle_force / (standard_gravity / 1000) / tonne; // t: m/s^2 of mm/s^2
   const double depth = deepest(wear.rail), area = wear.rail.area(), by_mgt = million / mass;

@@ -1,4 +1,6 @@
+#include "bem_contact/base/comma_separated.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/uses/fit/fit_curve.hpp"
 #include "bem_contact/uses/fit/fit_record.hpp"
 
@@ -38,9 +40,14 @@ MeasuredForces made(const std::vector<double>& creepages, double noise = 0, unsi
   return out;
 }
 
-CurveFit fitted(const MeasuredForces& measured, const std::string& keys, const SceneText& text = scene()) {
+CurveFit fitted(const fit::Measurements& measured, const std::string& keys, const SceneText& text = scene(),
+                const std::string& model = "halfspace") {
   return fit::fit_curve(
-      {.text = text, .changes = {}, .model = "halfspace", .measured = measured, .keys = fit::keys_in(keys)});
+      {.text = text, .changes = {}, .model = model, .measured = measured, .keys = comma_separated(keys)});
+}
+
+CurveFit fitted(const MeasuredForces& measured, const std::string& keys, const SceneText& text = scene()) {
+  return fitted(fit::Measurements{{measured}, {}}, keys, text);
 }
 
 const std::vector<double> all_over{1e-4, 2e-4, 4e-4, 6e-4, 9e-4, 1.3e-3, 2e-3, 3e-3, 5e-3};
@@ -52,9 +59,9 @@ TEST(FitCurve, FindsWhatTheProgramWasGiven) {
   EXPECT_NEAR(f.keys[1].value / friction, 1, 1e-4);
   EXPECT_EQ(f.keys[0].unit, "mm3/N");
   EXPECT_EQ(f.keys[0].start, 1e-4);
-  EXPECT_LT(f.misfit, 1e-4 * friction * load);
+  EXPECT_LT(fit::misfit_of(f.measured.forces.at(0)), 1e-4 * friction * load);
   EXPECT_THAT(f.undetermined, IsEmpty());
-  EXPECT_EQ(f.band.size(), f.curves.curves.at(0).points.size());
+  EXPECT_EQ(f.band.size(), f.curves->curves.at(0).points.size());
   EXPECT_EQ(f.scene.layer.compliance, f.keys[0].value);
 }
 
@@ -135,6 +142,119 @@ TEST(FitCurve, RefusesWhatCannotBeFitted) {
     ADD_FAILURE();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("no friction"));
+  }
+}
+
+/// Lines of pressures that the program itself gives.
+fit::MeasuredPressures made_pressures(const SceneText& text, const std::vector<std::string>& columns,
+                                      const std::vector<std::vector<double>>& places) {
+  std::vector<std::vector<double>> rows = places;
+  for (std::vector<double>& row : rows)
+    row.push_back(1);
+  fit::MeasuredPressures out = fit::measured_pressures("line", columns, rows);
+  out.measured = fit::pressures_at(out, Sequence().solve(parse_scene_file(text)));
+  return out;
+}
+
+/// A line of pressures over s knows load and stiffness of a Hertz contact: its width is that of (F/G)^(1/3),
+/// its height that of (F G2)^(1/3). Lines over x and single places say the same.
+TEST(FitPressures, FindLoadAndStiffness) {
+  const auto hertz = [](double force, double modulus) {
+    return SceneText(fmt::format(
+        "kind = 'patch'\nload.force = {}\nmotion.frictionless = true\nsolver.model = 'halfspace'\n"
+        "rail.material.shear_modulus = {}\n[grid]\ndx = 0.25\nds = 0.25\nmx = 44\nms = 40\n"
+        "[gap]\na = 1e-3\nb = 2e-3\n",
+        force, modulus));
+  };
+  const SceneText right = hertz(8000, 60000), guess = hertz(5000, 80000);
+  std::vector<std::vector<double>> line, places;
+  for (double at = -3.2; at < 3.3; at += 0.4) {
+    line.push_back({at});
+    places.push_back({0.5 * at, at});
+  }
+  const auto over_s = made_pressures(right, {"s", "pn"}, line),
+             over_x = made_pressures(right, {"x", "pn"}, line),
+             spots = made_pressures(right, {"x", "s", "pn"}, places);
+  EXPECT_EQ(over_s.measured.front(), 0); // beside the contact
+  EXPECT_GT(over_s.measured[8], 400);
+  for (const auto& all : {std::vector{over_s}, {over_x}, {spots}, {over_s, over_x}}) {
+    const CurveFit f = fitted({{}, all}, "load.force,rail.material.shear_modulus", guess);
+    EXPECT_TRUE(certified(f));
+    EXPECT_NEAR(f.keys[0].value, 8000, 0.005 * 8000);
+    EXPECT_NEAR(f.keys[1].value, 60000, 0.02 * 60000);
+    EXPECT_FALSE(f.curves);
+    const record::Record said = record_of(f);
+    EXPECT_EQ(record::text_at(said, "pressures/over"), all[0].line == fit::PressureLine::over_x ? "x" : "s");
+    EXPECT_LT(std::get<record::Number>(*record::find(said, "pressures/misfit")).value, 0.01 * 500);
+    EXPECT_EQ(record::find(said, "pressures_2") != nullptr, all.size() == 2);
+  }
+}
+
+/// Where a wheel stands on a rail, by its line of pressures on the rail's surface.
+TEST(FitPressures, FindThePosition) {
+  const auto wheel = [](double lateral) {
+    return SceneText(fmt::format("rail.profile = '60E1'\nwheel.profile = 'S1002'\nload.force = 6e4\n"
+                                 "solver.model = 'halfspace'\nmotion.frictionless = true\n"
+                                 "position.lateral = {}\n[grid]\ndx = 0.5\nds = 0.5\n",
+                                 lateral));
+  };
+  std::vector<std::vector<double>> line;
+  for (double s = -22; s < 2; s += 1)
+    line.push_back({s});
+  const CurveFit f =
+      fitted({{}, {made_pressures(wheel(-1.5), {"s", "pn"}, line)}}, "position.lateral", wheel(-1.2));
+  EXPECT_TRUE(certified(f));
+  EXPECT_NEAR(f.keys[0].value, -1.5, 0.03);
+}
+
+/// Several tables at once: forces along x say friction, the moment of spin and the pressure the rest. A twin
+/// disc's forces over slip are those of a roller.
+TEST(FitCurve, TakesSeveralTablesAndATwinDisc) {
+  const auto discs = [](double mu, double force) {
+    return SceneText(
+        fmt::format("kind = 'patch'\nload.force = {}\nmotion.friction = {}\nsolver.model = 'halfspace'\n"
+                    "[grid]\ndx = 0.15\nds = 0.15\nmx = 16\nms = 20\n"
+                    "[gap]\na = 0.0213\nb = 0.01\n", // radii of 47 mm, one of them crowned
+                    force, mu));
+  };
+  const std::vector<double> slips{5e-4, 1e-3, 2e-3, 4e-3, 1e-2, 3e-2};
+  MeasuredForces fx{
+      .which = CreepKind::xi, .force = CreepForce::Fx, .creepage = slips, .measured = {}, .scatter = {}};
+  for (const CreepPoint& p :
+       creep_curves(parse_scene_file(discs(0.25, 900)), std::vector<CreepRange>{{CreepKind::xi, slips}})
+           .curves[0]
+           .points)
+    fx.measured.push_back(p.forces[0]);
+  MeasuredForces again = fx;
+  again.creepage.resize(3);
+  again.measured.resize(3);
+  const auto line = made_pressures(discs(0.25, 900), {"s", "pn"}, {{-0.8}, {-0.4}, {0}, {0.4}, {0.8}});
+  const CurveFit f = fitted({{fx, again}, {line}}, "motion.friction,load.force", discs(0.4, 1500));
+  EXPECT_TRUE(certified(f));
+  EXPECT_NEAR(f.keys[0].value, 0.25, 0.25 * 5e-3);
+  EXPECT_NEAR(f.keys[1].value, 900, 5);
+  const record::Record said = record_of(f);
+  for (const char* path : {"measured/misfit", "measured_2/misfit", "pressures/misfit", "band", "curves/xi"})
+    EXPECT_TRUE(record::find(said, path)) << path;
+  const auto refused = [&](const fit::Measurements& all, const char* word) {
+    try {
+      fitted(all, "motion.friction", discs(0.4, 900));
+      ADD_FAILURE() << word;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(word));
+    }
+  };
+  MeasuredForces sure = again;
+  sure.scatter = {1, 1, 1};
+  refused({{fx, sure}, {}}, "another has not");
+  fit::MeasuredPressures nothing = line;
+  nothing.measured.assign(5, 0.0);
+  refused({{fx}, {nothing}}, "0 everywhere");
+  try {
+    fit::measured_pressures("line", {"y", "pn"}, {});
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("its columns are y, pn"));
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
 #include <random>
@@ -48,6 +49,19 @@ TEST_F(CreepTable, SlopesAtZeroAreKalkersCoefficients) {
   EXPECT_NEAR(at(0, 0, phi).Fy / (unit * c * k.c23 * phi), 1, 0.2);
   EXPECT_NEAR(at(0, xi, 0).Mz / (-unit * c * k.c23 * xi), 1, 0.2);
   EXPECT_EQ(at(0, 0, 0).Fx, 0);
+}
+
+/// The interpolation overshoots beside the kink where slip becomes full; friction does not.
+TEST_F(CreepTable, ForcesStayWithinFriction) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> creepage(-0.2, 0.2), spin(-0.05, 0.05);
+  double largest = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const TabulatedForces f = at(creepage(random), creepage(random), spin(random));
+    largest = std::max(largest, std::hypot(f.Fx, f.Fy) / contact.bound);
+  }
+  EXPECT_LE(largest, 1 + 1e-12);
+  EXPECT_GT(largest, 1 - 1e-3);
 }
 
 TEST_F(CreepTable, SignsAreThoseOfTheContact) {

@@ -88,7 +88,7 @@ class Readers(unittest.TestCase):
     @staticmethod
     def numbers_of(text):
         """name: value, error"""
-        found = re.findall(r"^\s*(\S+)\s+(\S+).*\(interpolation error\s*([-+.\w]+)", text, re.M)
+        found = re.findall(r"^\s*(\S+)\s+(\S+) \+-\s*([-+.\w]+)", text, re.M)
         return {name: (float(value), float(error)) for name, value, error in found}
 
     def check(self, kind, point):

@@ -41,8 +41,29 @@ def draw_measured(panel, measured, scales, band=None):
                    capsize=3, markersize=5, label=f"{force} as measured")
 
 
+def draw_pressures(panel, line):
+    over, points = text(line.attrs["over"]), line["points"]
+    order = np.argsort(points[over][:])
+    panel.plot(points[over][:][order], points["computed"][:][order], "o-", color=style.FORCES["Fx"][0], markersize=3, label="as computed")
+    panel.errorbar(points[over][:], points["measured"][:], points["scatter"][:] if "scatter" in points else None, fmt="s", color=style.INK,
+                   fillstyle="none", capsize=3, markersize=5, label="as measured")
+    panel.set(xlabel=f"{over}, mm", ylabel="pressure, MPa")
+    panel.legend()
+
+
+def draw_fit_of_pressures(file):
+    names = [name for name in file if name.split("_")[0] == "pressures"]
+    figure, axes = style.panels(1, len(names), (1.2 + 4.4 * len(names), 4.6))
+    for panel, name in zip(axes[0], names):
+        draw_pressures(panel, file[name])
+    figure.suptitle(f"Fit to measured pressures: vertical force {number(file, 'Fz'):.6g} N", fontsize=10.5)
+    return figure
+
+
 def draw(files):
     with h5py.File(files[0]) as file:
+        if "curves" not in file:
+            return draw_fit_of_pressures(file)
         curves = file["curves"]
         force, bound, radius = (number(file, name) for name in ("Fz", "bound", "radius"))
         names = [name for name in AXES if name in curves]

@@ -15,9 +15,9 @@ namespace {
 void* copy_in_program(const char* name) {
   void* found = dlsym(RTLD_DEFAULT, name);
   Dl_info about;
-  link_map* owner = nullptr;
-  const bool known = found && dladdr1(found, &about, reinterpret_cast<void**>(&owner), RTLD_DL_LINKMAP) != 0;
-  return known && owner && *owner->l_name == '\0' ? found : nullptr; // the program itself has no name there
+  link_map* holder = nullptr;
+  const bool known = found && dladdr1(found, &about, reinterpret_cast<void**>(&holder), RTLD_DL_LINKMAP) != 0;
+  return known && holder && *holder->l_name == '\0' ? found : nullptr; // the program itself has no name there
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// A solver inside the page answers, in a worker. explore/reply.js stands here where the program does.
+// A solver inside the page answers, in a worker (bem_contact/browser). reply.js stands here where the program does.
 const NOTE =
     "This page solves by itself, in your browser: nothing is sent to anyone. It writes no HDF5. What needs such " +
     "files, or minutes, is done by the program: results (bem_contact solve SCENE.toml -o R.h5), finite elements of " +

@@ -1,9 +1,11 @@
 #include "bem_contact/base/child_process.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/system/posix/close_others.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
+#include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -133,13 +135,42 @@ ProgramLine::ProgramLine(std::vector<std::string> words) : words_(std::move(word
 }
 
 void ProgramLine::become() const {
-  close_range(STDERR_FILENO + 1, ~0U, CLOSE_RANGE_CLOEXEC);
+  system::close_others(system::CloseOthers::as_another_program_begins);
   execvp(pointers_.front(), pointers_.data());
 }
 
-std::filesystem::path program_named(std::string_view name) {
+bool run_and_wait(const std::vector<std::string>& words, std::string& why) {
+  std::vector<std::string> copies = words;
+  std::vector<char*> arguments;
+  arguments.reserve(copies.size() + 1);
+  for (std::string& word : copies)
+    arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+  pid_t process = 0;
+  int status = 0;
+  const int failed = posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failed == 0)
+    while (waitpid(process, &status, 0) < 0 && errno == EINTR)
+      ;
+  why = failed != 0 ? std::strerror(failed) : "";
+  return failed == 0 && status == 0;
+}
+
+void set_variable(const char* name, const std::filesystem::path& value) {
+  setenv(name, value.c_str(), 1);
+}
+
+std::filesystem::path this_program() {
   std::error_code unknown;
-  const auto self = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path();
+  return std::filesystem::read_symlink("/proc/self/exe", unknown);
+}
+
+std::filesystem::path program_named(std::string_view name) {
+  const auto self = this_program().parent_path();
   const auto variable = [](const char* of) {
     const char* value = std::getenv(of);
     return std::string(value ? value : "");

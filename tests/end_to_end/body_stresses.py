@@ -1,0 +1,99 @@
+"""Stresses and shakedown in a body file's body: `stresses --body`, `shakedown --body`, and [shakedown] body of a study."""
+
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import programs
+
+SCENE = """kind = "patch"
+solver.model = "halfspace"
+[motion]
+xi = 1e-3
+[load]
+force = 1000
+[grid]
+dx = 0.1
+ds = 0.1
+mx = 18
+ms = 18
+[gap]
+a = 0.01
+b = 0.01
+"""
+
+
+class BodyStresses(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.temporary.name)
+        (cls.folder / "block.toml").write_text(programs.SMALL_BLOCK)
+        (cls.folder / "scene.toml").write_text(SCENE + '[shakedown]\nbody = "block.toml"\nyield_shear = 250\n')
+        (cls.folder / "plain.toml").write_text(SCENE)
+        cls.call_ok("solve", cls.folder / "plain.toml", "-o", cls.folder / "result.h5")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    @classmethod
+    def call(cls, *words, program="bem_contact"):
+        return subprocess.run([programs.BIN / program, *map(str, words)], capture_output=True, text=True, cwd="/",
+                              env=os.environ | {"CONFORMAL_BIN": str(programs.BIN)})
+
+    @classmethod
+    def call_ok(cls, *words, program="bem_contact"):
+        done = cls.call(*words, program=program)
+        if done.returncode:
+            raise AssertionError(done.stderr)
+        return done.stdout
+
+    def test_stresses_are_those_of_fem_influence(self):
+        f = self.folder
+        in_body = json.loads(self.call_ok("stresses", f / "result.h5", "--body", f / "block.toml", "--json"))
+        self.call_ok(f / "block.toml", "-o", f / "block.msh", program="mesh_body")
+        self.call_ok(f / "block.toml", f / "block.msh", "--stresses", f / "by_hand.h5", "--result", f / "result.h5", program="fem_influence")
+        by_hand = json.loads(self.call_ok("stresses", f / "by_hand.h5", "--json"))
+        for name in ("von_mises", "shear", "halfspace_von_mises"):
+            if name in by_hand["patches"]:
+                self.assertEqual(in_body["patches"][name], by_hand["patches"][name])
+        self.assertEqual(in_body["found"], by_hand["found"])
+        self.assertNotIn("in a half-space.", " ".join(in_body["found"]))
+
+    def test_shakedown_in_the_body_and_in_a_study(self):
+        f = self.folder
+        flat = json.loads(self.call_ok("shakedown", f / "plain.toml", "--yield-shear", 250, "--json"))
+        said = self.call_ok("shakedown", f / "scene.toml")
+        self.assertIn("The steel yields once (shakedown factor", said)
+        body = json.loads(self.call_ok("shakedown", f / "scene.toml", "--json"))
+        self.assertEqual(body["yield_shear"], 250)
+        self.assertNotEqual(body["shakedown"], flat["shakedown"])
+        self.assertAlmostEqual(body["shakedown"] / flat["shakedown"], 1, delta=0.05)  # a block of 40 mm is nearly a half-space
+        self.call_ok("study", f / "scene.toml", "-o", f / "study")
+        page = (f / "study" / "study.html").read_text()
+        self.assertIn("The steel yields once (shakedown factor", page)
+
+    def test_what_cannot_be_answered_is_refused(self):
+        f = self.folder
+        (f / "sweep.toml").write_text(SCENE + "[sweep]\nload.force = [500, 1000]\n")
+        (f / "wrong.toml").write_text(programs.SMALL_BLOCK.replace("block", "cube"))
+        (f / "narrow.toml").write_text(programs.SMALL_BLOCK.replace("2.0", "0.5"))
+        for words, why in ((["stresses", f / "result.h5", "--body", f / "none.toml"], "There is no body file"),
+                           (["stresses", f / "result.h5", "--body", f / "wrong.toml"], "cube"),
+                           (["stresses", f / "result.h5", "--body", f / "narrow.toml"], "strip"),
+                           (["stresses", f / "result.h5", "--body", f / "block.toml", "--wheel"], "--wheel cannot be given"),
+                           (["shakedown", f / "sweep.toml", "--body", f / "block.toml"], "one scene"),
+                           (["shakedown", f / "plain.toml", "--body", f / "none.toml"], "There is no body file"),
+                           (["shakedown", f / "plain.toml", "--body", f / "block.toml", "-o", f / "block.toml"], "block.toml")):
+            done = self.call(*words)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), (words, done.stderr))
+            self.assertIn(why, done.stderr)
+        self.assertEqual((f / "block.toml").read_text(), programs.SMALL_BLOCK)
+
+
+if __name__ == "__main__":
+    unittest.main()
