@@ -47,6 +47,7 @@ struct SceneFile {
     std::string profile;          ///< standard name or file
     std::vector<double> features; ///< arc lengths of the feature lines that it has, mm (BodySection)
     std::vector<double> without;  ///< numbers of those that it does not have, from 1
+    bool kink = false;            ///< the slope along the track may jump here
 
     bool operator==(const Section&) const = default;
   };

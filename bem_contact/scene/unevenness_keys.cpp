@@ -172,6 +172,8 @@ void add_rail_sections(Schema& s, SceneFile::Side& rail) {
                    {.unit = "mm", .at_least = -1e5, .at_most = 1e5});
            row.add("rail.sections.without", section.without,
                    "Numbers of those lines, from 1, that this section does not have; none: it has all");
+           row.add("rail.sections.kink", section.kink,
+                   "The surface has an edge across the track here: its slope along the track may jump");
            return row;
          },
          "[{ at = 0, profile = \"60E1\" }, { at = 500, profile = \"worn.prr\" }, ...]"},

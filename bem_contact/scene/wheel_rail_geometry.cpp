@@ -44,14 +44,25 @@ void require_roller_for_its_body(const SceneFile& scene) {
                      fmt::format("Give rail.roller_radius = {:g}, or a straight rail.", radius));
 }
 
+/// The profile of one of them; errors name it.
+ProfileCurve profile_of_section(const SceneFile& scene, std::size_t i) {
+  const SceneFile::Section& section = scene.rail.sections[i];
+  try {
+    return named_profile(section.profile, ProfileKind::rail, scene.folder, scene.rail.reading);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("Section {} of the rail, at {:g} mm: {}", i + 1, section.at, error.what()));
+  }
+}
+
 /// None of a rail that is the same along the track.
 std::vector<BodySection> sections_of(const SceneFile& scene) {
   if (names_slices(scene.rail.profile))
     return sections_of_slices(profile_file_name(scene.rail.profile, scene.folder).file, scene.rail.reading);
   std::vector<BodySection> sections;
-  for (const SceneFile::Section& section : scene.rail.sections) {
-    BodySection& out = sections.emplace_back(BodySection{
-        section.at, named_profile(section.profile, ProfileKind::rail, scene.folder, scene.rail.reading)});
+  for (std::size_t i = 0; i < scene.rail.sections.size(); ++i) {
+    const SceneFile::Section& section = scene.rail.sections[i];
+    BodySection& out = sections.emplace_back(
+        BodySection{.at = section.at, .profile = profile_of_section(scene, i), .kink = section.kink});
     auto has = section.features.begin();
     for (std::size_t k = 1; k <= section.features.size() + section.without.size(); ++k)
       out.features.push_back(std::ranges::count(section.without, static_cast<double>(k)) > 0 ||

@@ -275,6 +275,25 @@ TEST(SectionedSurface, KeepsSectionsAndFeatures) {
   }
 }
 
+/// A wing that bends, a nose that ends its rise: straight on both sides of the kink, which splines are not.
+TEST(SectionedSurface, AKinkIsAnEdgeAcrossTheTrack) {
+  const ProfileCurve arc = shapes::rail_arc(200, 0.2);
+  const auto made = [&](bool kink) {
+    std::vector<BodySection> sections;
+    for (int i = -3; i <= 3; ++i)
+      sections.push_back({40.0 * i, moved(arc, {0, -2.0 * std::max(i, 0)}), {}, kink && i == 0});
+    return SectionedSurface(sections);
+  };
+  const SectionedSurface edge = made(true), smooth = made(false);
+  const double t = 0.4 * edge.lines().back();
+  const double level = edge.at(-80, t).position.z;
+  for (const double u : {-100.0, -20.0, -1e-6, 0.0, 1.0, 20.0, 100.0}) {
+    EXPECT_NEAR(edge.at(u, t).position.z, level - 0.05 * std::max(u, 0.0), 1e-9) << u;
+    EXPECT_NEAR(edge.at(u, t).by_u.z, u < 0 ? 0 : -0.05, 1e-9) << u;
+  }
+  EXPECT_GT(std::abs(smooth.at(-20, t).position.z - level), 0.1);
+}
+
 TEST(SectionedSurface, FindsWhatCorresponds) {
   // The same head, one cut deeper at both sides: points that lie on each other correspond.
   std::vector<Point2> points;
@@ -283,11 +302,70 @@ TEST(SectionedSurface, FindsWhatCorresponds) {
       points.push_back(p.position);
   const ProfileCurve cut = ProfileCurve::through_points("cut", points);
   const SectionedSurface made({{0, head()}, {100, cut}, {200, head()}});
-  for (double t = 1; t < made.lines().back() - 1; t += 2.3) {
+  const auto [from, to] = made.extent(50); // what both have
+  EXPECT_GT(to - from, cut.s_end() - cut.s_begin() - 1);
+  for (double t = from + 1; t < to - 1; t += 2.3) {
     const Point2 a = made.at(0, t).position, b = made.at(100, t).position, middle = made.at(50, t).position;
     EXPECT_NEAR(norm(a - b), 0, 1e-3) << t;
     EXPECT_NEAR(norm(head().nearest(middle).position - middle), 0, 1e-5) << t;
   }
+}
+
+/// A nose 2 mm below a wing, with a flangeway between them.
+ProfileCurve nose_and_wing(double width, bool nose, bool wing) {
+  std::vector<Point2> points;
+  const auto line_to = [&](Point2 to) {
+    const Point2 from = points.back();
+    const int parts = std::max(1, static_cast<int>(std::ceil(norm(to - from) / 0.5)));
+    for (int i = 1; i <= parts; ++i)
+      points.push_back(from + (static_cast<double>(i) / parts) * (to - from));
+  };
+  const auto corner = [&](Point2 centre, double radius, double from) {
+    for (int i = 1; i <= 16; ++i) {
+      const double delta = from + M_PI_2 * i / 16;
+      points.push_back(centre + radius * Point2{std::sin(delta), -std::cos(delta)});
+    }
+  };
+  if (nose) {
+    points = {{0, 25}};
+    line_to({0, 6});
+    corner({4, 6}, 4, -M_PI_2);
+    line_to({width - 4, 2});
+    corner({width - 4, 6}, 4, 0);
+    line_to({width, 25});
+  }
+  if (wing) {
+    nose ? line_to({width + 44, 25}) : points.push_back({width + 44, 25});
+    line_to({width + 44, 13});
+    corner({width + 57, 13}, 13, -M_PI_2);
+    line_to({width + 100, 0});
+  }
+  return ProfileCurve::through_points("crossing", points);
+}
+
+/// Without features: the nose begins with an upright end and the wing ends with one, and the wing goes on
+/// beside the nose.
+TEST(SectionedSurface, FindsWhereANoseBeginsAndAWingEnds) {
+  std::vector<BodySection> sections;
+  for (int i = 0; i <= 12; ++i)
+    sections.push_back({30.0 * i, nose_and_wing(12 + 3.0 * i, i >= 3, i <= 9)});
+  const SectionedSurface made(sections);
+  const auto apart = [&](double u, Point2 p) { // from the surface
+    const auto [from, to] = made.extent(u);
+    double least = 1e9;
+    for (double t = from; t <= to; t += 0.02)
+      least = std::min(least, norm(made.at(u, t).position - p));
+    return least;
+  };
+  for (const double u : {15.0, 45.0, 75.0, 105.0, 135.0, 255.0}) {
+    const double width = 12 + u / 10;
+    EXPECT_LT(apart(u, {width + 70, 0}), 0.02) << u; // on top of the wing
+    EXPECT_LT(apart(u, {width + 57 - 13 * std::sqrt(0.5), 13 - 13 * std::sqrt(0.5)}), 0.05) << u;
+  }
+  for (const double u : {105.0, 135.0, 255.0, 285.0, 315.0, 345.0})
+    EXPECT_LT(apart(u, {4 - 4 * std::sqrt(0.5), 6 - 4 * std::sqrt(0.5)}), 0.05) << u; // the nose's edge
+  EXPECT_GT(apart(75, {8, 2}), 20);                                                   // no nose yet
+  EXPECT_GT(apart(285, {12 + 28.5 + 70, 0}), 20);                                     // no wing any more
 }
 
 /// A nose that begins at the second section, at one end of the profile.
@@ -383,6 +461,12 @@ TEST(SlicesFile, IsReadWithItsOptions) {
   EXPECT_THAT(refused(" 0 1\n3\n0\n1\n 5 'a.txt'\n"), HasSubstr("ends too early"));
   EXPECT_THAT(refused(" 0 x\n3\n0\n1\n"), AllOf(HasSubstr("rail.slcs:1"), HasSubstr("'x' stands where")));
   EXPECT_THAT(refused(head + places + "2\n 7 0 1 2\n"), HasSubstr("a place at 7500 mm"));
+  try {
+    sections_of_slices(written(" 0 1\n2\n0\n1\n 5 'a.txt'\n 9 'S1002'\n"), reading);
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("rail.slcs:6"), HasSubstr("S1002")));
+  }
   std::filesystem::rename(folder.path() / "rail.slcs", folder.path() / "wheel.slcw");
   EXPECT_THROW(read_slices(folder.path() / "wheel.slcw"), InputError);
 }

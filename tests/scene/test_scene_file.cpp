@@ -284,7 +284,7 @@ TEST(SceneFile, rails_of_sections) {
               HasSubstr("section 1 is without feature 3"));
   EXPECT_THAT(refusal(own + "rail.sections = [ { at = 0 } ]\n"), HasSubstr("rail.sections.profile"));
   EXPECT_THAT(refusal(own + "rail.profile = 'a.slcs'\nrail.joint.step = 1\n"),
-              HasSubstr("rail.profile (rail.joint is given too"));
+              HasSubstr("rail.profile = \"a.slcs\" (rail.joint is given too"));
 }
 
 TEST(SceneFile, keys_without_effect_are_said) {

@@ -1,7 +1,11 @@
 #include "bem_contact/profile/sections/correspondence.hpp"
 
+#include "bem_contact/base/error.hpp"
+
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <fmt/format.h>
 #include <limits>
 
 namespace bem_contact {
@@ -16,6 +20,13 @@ constexpr double direction_length = 10.0;
 constexpr double mark_spacing = 10.0;
 /// mm. A mark this far beyond what a neighbour has is its end: rounding.
 constexpr double kept_end = 1e-9;
+/// mm. A point at the end of one profile that has no counterpart on the other counts as one that is so far
+/// off: more than neighbours differ, less than from a nose to a wing.
+constexpr double without_counterpart = 5.0;
+/// mm. Where a part of a section shrinks to nothing its lines keep this distance.
+constexpr double least_mark_distance = 2.0;
+/// mm. Where a section reaches so far beyond all lines, others begin: a nose that was not there before.
+constexpr double reach_of_new_lines = 20.0;
 /// 1. How often the second profile is moved to where the first one is: once is enough for a rail that rises,
 /// twice for one that widens too.
 constexpr int shift_steps = 2;
@@ -24,6 +35,8 @@ constexpr int shift_steps = 2;
 double difference(const CurvePoint& a, const CurvePoint& b, Point2 shift) {
   return norm(a.position - b.position - shift) + direction_length * std::abs(a.delta - b.delta);
 }
+
+constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 using Pairs = std::vector<std::pair<int, int>>;
 
@@ -35,16 +48,17 @@ Pairs aligned(const std::vector<CurvePoint>& a, const std::vector<CurvePoint>& b
   const auto at = [&](int i, int j) { return static_cast<std::size_t>(i) * columns + j; };
   for (int i = 0; i < rows; ++i)
     for (int j = 0; j < columns; ++j) {
-      double least = i == 0 && j == 0 ? 0 : std::numeric_limits<double>::infinity();
+      const double here = difference(a[i], b[j], shift), at_end = std::min(here, without_counterpart);
+      double least = i == 0 && j == 0 ? here : std::numeric_limits<double>::infinity();
       char step = 0;
-      const auto offer = [&](int di, int dj, char by) {
-        if (i >= di && j >= dj && cost[at(i - di, j - dj)] < least)
-          least = cost[at(i - di, j - dj)], step = by;
+      const auto offer = [&](int di, int dj, char by, double own) {
+        if (i >= di && j >= dj && cost[at(i - di, j - dj)] + own < least)
+          least = cost[at(i - di, j - dj)] + own, step = by;
       };
-      offer(1, 1, 1);
-      offer(1, 0, 2);
-      offer(0, 1, 3);
-      cost[at(i, j)] = least + difference(a[i], b[j], shift);
+      offer(1, 1, 1, here);
+      offer(1, 0, 2, j == 0 || j == columns - 1 ? at_end : here);
+      offer(0, 1, 3, i == 0 || i == rows - 1 ? at_end : here);
+      cost[at(i, j)] = least;
       from[at(i, j)] = step;
     }
   Pairs out;
@@ -88,12 +102,11 @@ struct Beside {
       return std::ranges::min(points, {}, [](const CurvePoint& p) { return p.position.z; }).position.z;
     };
     shift = {0, top(a) - top(b)};
-    pairs = aligned(a, b, shift);
+    align();
     for (int i = 0; i < shift_steps; ++i) {
       shift = middle_shift();
-      pairs = aligned(a, b, shift);
+      align();
     }
-    leave_out_ends();
   }
 
   double mean() const {
@@ -104,19 +117,26 @@ struct Beside {
   }
 
 private:
-  /// The median of what points of the first are apart from those of the second that correspond, along y and
-  /// z.
+  void align() {
+    pairs = aligned(a, b, shift);
+    leave_out_ends();
+  }
+  /// The median of what points of the first are apart from those of the second that correspond: along y of
+  /// steep ones, along z of flat ones. Along a face points say nothing.
   Point2 middle_shift() const {
-    std::vector<Point2> apart;
-    for (const auto& [i, j] : pairs)
-      apart.push_back(a[i].position -
-                      second_.at(refined(a[i], {-shift.y, -shift.z}, second_, b[j].s)).position);
-    const auto median = [&](double Point2::*along) {
-      std::ranges::nth_element(apart, apart.begin() + apart.size() / 2, {}, along);
-      return apart[apart.size() / 2].*along;
+    std::vector<double> y, z;
+    for (const auto& [i, j] : pairs) {
+      const Point2 apart =
+          a[i].position - second_.at(refined(a[i], {-shift.y, -shift.z}, second_, b[j].s)).position;
+      std::abs(std::sin(a[i].delta)) > std::sqrt(0.5) ? y.push_back(apart.y) : z.push_back(apart.z);
+    }
+    const auto median = [](std::vector<double>& of, double none) {
+      if (of.empty())
+        return none;
+      std::ranges::nth_element(of, of.begin() + std::ssize(of) / 2);
+      return of[of.size() / 2];
     };
-    const double y = median(&Point2::y);
-    return {y, median(&Point2::z)};
+    return {median(y, shift.y), median(z, shift.z)};
   }
   /// Where one profile goes on beyond the end of the other, only the nearest of its points corresponds to
   /// that end.
@@ -155,6 +175,7 @@ public:
   }
   double first() const { return pairs_.front().first; }
   double last() const { return pairs_.back().first; }
+  double end() const { return b_.s_end(); } ///< of the second profile
   double at(double s) const {
     const auto after = std::ranges::lower_bound(pairs_, s, {}, &std::pair<double, double>::first);
     if (after == pairs_.end())
@@ -172,36 +193,118 @@ private:
   std::vector<std::pair<double, double>> pairs_;
 };
 
+/// Lines through the sections so far. Those of one section follow each other without a gap. A line that
+/// leaves a section at its end ends there; where a section reaches beyond all lines, others begin.
+class FollowedLines {
+public:
+  explicit FollowedLines(const ProfileCurve& first) { add_section(), begin(first); }
+
+  /// To the next section; false where fewer than two lines go on.
+  bool follow(const Follower& next) {
+    add_line_at(next.first());
+    add_line_at(next.last());
+    const auto [first, last] = range_;
+    range_ = {last, first};
+    const std::vector<double> here = points_.marks.back();
+    add_section();
+    points_.joined.emplace_back(here.size(), 0);
+    double least = -std::numeric_limits<double>::infinity();
+    for (int k = first; k < last; ++k) {
+      const double s = std::max(next.at(here[k]), least);
+      if (here[k] < next.first() - kept_end || here[k] > next.last() + kept_end || s > next.end())
+        continue;
+      points_.marks.back()[k] = s;
+      points_.joined.back()[k] = 1;
+      least = s + least_mark_distance;
+      range_ = {std::min(range_.first, k), std::max(range_.second, k + 1)};
+    }
+    return range_.second - range_.first >= 2;
+  }
+
+  /// Lines where this section, the last one so far, reaches beyond those that there are.
+  void begin(const ProfileCurve& profile) {
+    const bool none = range_.first == range_.second;
+    const double from = none ? profile.s_end() : points_.marks.back()[range_.first],
+                 to = none ? profile.s_end() : points_.marks.back()[range_.second - 1];
+    if (const double reach = from - profile.s_begin(); reach > reach_of_new_lines || none) {
+      const int count = std::max(1, static_cast<int>(reach / mark_spacing));
+      insert_columns(0, std::max(0, count - range_.first));
+      for (int k = 1; k <= count; ++k)
+        points_.marks.back()[--range_.first] = from - reach * k / count;
+      if (none)
+        insert_columns(range_.second, 1), points_.marks.back()[range_.second++] = to;
+    }
+    if (const double reach = profile.s_end() - to; reach > reach_of_new_lines) {
+      const int count = static_cast<int>(reach / mark_spacing);
+      insert_columns(columns(), std::max(0, range_.second + count - columns()));
+      for (int k = 1; k <= count; ++k)
+        points_.marks.back()[range_.second++] = to + reach * k / count;
+    }
+  }
+
+  const CorrespondingPoints& points() const { return points_; }
+
+private:
+  int columns() const { return static_cast<int>(points_.marks.front().size()); }
+  void add_section() {
+    const std::size_t size = points_.marks.empty() ? 0 : points_.marks.front().size();
+    points_.marks.emplace_back(size, nowhere);
+  }
+  /// A line at s of the last section, between two that there are: what goes on ends there. It runs between
+  /// these two as far back as both do, and leaves the surface as it is.
+  void add_line_at(double s) {
+    const std::vector<double>& last = points_.marks.back();
+    int k = range_.first;
+    while (k + 1 < range_.second && last[k + 1] < s)
+      ++k;
+    if (k + 1 >= range_.second || s - last[k] < least_mark_distance || last[k + 1] - s < least_mark_distance)
+      return;
+    const double share = (s - last[k]) / (last[k + 1] - last[k]);
+    for (std::vector<double>& of : points_.marks) // nan where one of both is
+      of.insert(of.begin() + k + 1, of[k] + share * (of[k + 1] - of[k]));
+    for (std::vector<char>& of : points_.joined)
+      of.insert(of.begin() + k + 1, of[k] && of[k + 1]);
+    ++range_.second;
+  }
+  void insert_columns(int at, int count) {
+    for (std::vector<double>& of : points_.marks)
+      of.insert(of.begin() + at, count, nowhere);
+    for (std::vector<char>& of : points_.joined)
+      of.insert(of.begin() + at, count, 0);
+    if (at <= range_.first)
+      range_ = {range_.first + count, range_.second + count};
+  }
+  CorrespondingPoints points_;
+  std::pair<int, int> range_{0, 0}; ///< the lines that the last section has
+};
+
 } // namespace
 
-std::vector<std::vector<double>> corresponding_points(const std::vector<BodySection>& sections) {
-  // Each mark is followed from the first section to the last. Marks that leave a section at its end are
-  // dropped, and so is what is too near to the mark before it.
-  const ProfileCurve& first = sections.front().profile;
-  const int count = std::max(1, static_cast<int>((first.s_end() - first.s_begin()) / mark_spacing));
-  std::vector<std::vector<double>> followed(count + 1);
-  for (int k = 0; k <= count; ++k)
-    followed[k] = {first.s_begin() + (first.s_end() - first.s_begin()) * k / count};
+CorrespondingPoints given_points(const std::vector<BodySection>& sections) {
+  CorrespondingPoints out;
+  for (const BodySection& section : sections)
+    out.marks.push_back(section.features);
+  for (std::size_t j = 0; j + 1 < sections.size(); ++j) {
+    std::vector<char>& joined = out.joined.emplace_back();
+    for (std::size_t k = 0; k < out.marks[j].size(); ++k)
+      joined.push_back(std::isfinite(out.marks[j][k]) && std::isfinite(out.marks[j + 1][k]) ? 1 : 0);
+  }
+  return out;
+}
+
+CorrespondingPoints corresponding_points(const std::vector<BodySection>& sections) {
+  FollowedLines lines(sections.front().profile);
   for (std::size_t j = 1; j < sections.size(); ++j) {
     const Follower next(sections[j - 1].profile, sections[j].profile);
-    std::erase_if(followed, [&](const auto& line) {
-      return line.back() < next.first() - kept_end || line.back() > next.last() + kept_end;
-    });
-    for (std::vector<double>& line : followed)
-      line.push_back(next.at(line.back()));
+    if (!lines.follow(next))
+      throw InputError(
+          fmt::format("Sections {} ('{}' at {:g} mm) and {} ('{}' at {:g} mm) have nothing in common", j,
+                      sections[j - 1].profile.name(), sections[j - 1].at, j + 1, sections[j].profile.name(),
+                      sections[j].at),
+          "no part of the one was found in the other", "Give the features of all sections.");
+    lines.begin(sections[j].profile);
   }
-  std::vector<std::vector<double>> marks(sections.size());
-  const auto keeps = [&](const std::vector<double>& line) {
-    for (std::size_t j = 0; j < marks.size(); ++j)
-      if (!marks[j].empty() && !(line[j] > marks[j].back() + 0.2 * mark_spacing))
-        return false;
-    return true;
-  };
-  for (const std::vector<double>& line : followed)
-    if (keeps(line))
-      for (std::size_t j = 0; j < marks.size(); ++j)
-        marks[j].push_back(line[j]);
-  return marks;
+  return lines.points();
 }
 
 double distance_of_profiles(const ProfileCurve& a, const ProfileCurve& b) {

@@ -6,14 +6,25 @@
 
 namespace bem_contact {
 
-/// Where points of sections that follow each other correspond, if no features say so: for each section the
-/// arc lengths of the same points, from end to end, mm.
+/// Lines through sections that follow each other.
+struct CorrespondingPoints {
+  /// [section][line] Arc length of the line's point, mm; nan: the section does not have it.
+  std::vector<std::vector<double>> marks;
+  /// [interval][line] Whether the line goes on from the section before it to the next one.
+  std::vector<std::vector<char>> joined;
+};
+
+/// The feature lines that the sections give.
+CorrespondingPoints given_points(const std::vector<BodySection>& sections);
+
+/// Where points of sections that follow each other correspond, if no features say so. Throws InputError for
+/// neighbours that have nothing in common.
 ///
 /// Two neighbours are laid beside each other by dynamic programming over points 1 mm apart (Sakoe and Chiba
 /// 1978): corresponding points look the same way and are near to each other if one of the two is moved to
 /// where the other is, and their order is the same. What only one of the two has, at either end, corresponds
-/// to nothing and is left out. Some of the pairs are kept as marks.
-std::vector<std::vector<double>> corresponding_points(const std::vector<BodySection>& sections);
+/// to nothing: there lines end or begin, as those of a nose beside a wing. Lines are some 10 mm apart.
+CorrespondingPoints corresponding_points(const std::vector<BodySection>& sections);
 
 /// The mean distance of two profiles that are laid beside each other so, mm, with 10 mm for each rad by which
 /// their directions differ.

@@ -39,7 +39,7 @@ void require_features(const std::vector<BodySection>& sections) {
                      "a surface lies between two, and what is beyond the first and the last is left out",
                      "Give the ends of the sections too.");
   for (std::size_t i = 0; i < sections.size(); ++i) {
-    const auto& [at, profile, features] = sections[i];
+    const auto& [at, profile, features, kink] = sections[i];
     if (features.size() != count)
       throw InputError(fmt::format("{} has {} features", named(sections, i), features.size()),
                        fmt::format("section 1 has {}, and each is a line through all sections", count),
@@ -86,19 +86,14 @@ void require_sections(const std::vector<BodySection>& sections) {
 }
 
 std::vector<std::vector<char>> stretches_there(const std::vector<BodySection>& sections,
-                                               const std::vector<std::vector<double>>& marks) {
+                                               const CorrespondingPoints& points) {
   std::vector<std::vector<char>> out;
   for (std::size_t i = 0; i + 1 < sections.size(); ++i) {
-    const auto has = [&](std::size_t k) {
-      const auto both = [&](std::size_t j) {
-        return std::isfinite(marks[j][k]) && std::isfinite(marks[j][k + 1]);
-      };
-      return both(i) && both(i + 1);
-    };
+    const std::vector<char>& joined = points.joined[i];
     std::vector<char> there;
     int pieces = 0;
-    for (std::size_t k = 0; k + 1 < marks[i].size(); ++k) {
-      there.push_back(has(k) ? 1 : 0);
+    for (std::size_t k = 0; k + 1 < joined.size(); ++k) {
+      there.push_back(joined[k] && joined[k + 1] ? 1 : 0);
       pieces += there.back() && (k == 0 || !there[k - 1]) ? 1 : 0;
     }
     if (pieces != 1)
@@ -111,8 +106,8 @@ std::vector<std::vector<char>> stretches_there(const std::vector<BodySection>& s
           "Features that only one of the two has must lie at one end of the profiles.");
     out.push_back(std::move(there));
   }
-  for (std::size_t k = 0; k + 1 < marks.front().size(); ++k)
-    if (std::ranges::none_of(marks, [&](const std::vector<double>& of) { return of[k + 1] > of[k]; }))
+  for (std::size_t k = 0; k + 1 < points.marks.front().size(); ++k)
+    if (std::ranges::none_of(points.marks, [&](const std::vector<double>& of) { return of[k + 1] > of[k]; }))
       throw InputError(fmt::format("There is nothing between features {} and {}", k + 1, k + 2),
                        "no section has both, at different places", "Leave one of them out.");
   return out;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/profile/sections/sectioned_surface.hpp"
+#include "bem_contact/profile/sections/correspondence.hpp"
 
 #include <vector>
 
@@ -10,9 +10,8 @@ namespace bem_contact {
 void require_sections(const std::vector<BodySection>& sections);
 
 /// Which stretches between feature lines are there between two sections that follow each other, [interval]
-/// [stretch]: those that both have. `marks`: of each section, nan where it does not have one. Throws
-/// InputError where nothing is there, or more than one piece.
+/// [stretch]: those that both have. Throws InputError where nothing is there, or more than one piece.
 std::vector<std::vector<char>> stretches_there(const std::vector<BodySection>& sections,
-                                               const std::vector<std::vector<double>>& marks);
+                                               const CorrespondingPoints& points);
 
 } // namespace bem_contact

@@ -23,6 +23,8 @@ constexpr double same_node = 1e-7;
 constexpr double smooth_curvature = 1e-7;
 /// rad. The same of a tangent's turn.
 constexpr double smooth_turn_of_section = 1e-9;
+/// mm. A feature this near to an end of the profile is its end, written with few digits.
+constexpr double feature_at_end = 1e-3;
 /// mm. Distance from a joint at which its other side is looked at.
 constexpr double before_joint = 1e-9;
 
@@ -172,23 +174,41 @@ Eigen::MatrixXd slopes_of_spline(const std::vector<double>& x) {
   return left.partialPivLu().solve(right) * secant;
 }
 
+void round_features(std::vector<BodySection>& sections) {
+  for (BodySection& section : sections)
+    for (double& s : section.features)
+      for (const double end : {section.profile.s_begin(), section.profile.s_end()})
+        if (std::abs(s - end) < feature_at_end)
+          s = end;
+}
+
+/// Doubles each section with a kink, with nothing between the two: one spline ends in it and one begins.
+void split_at_kinks(std::vector<BodySection>& sections, std::vector<std::vector<double>>& marks,
+                    std::vector<std::vector<char>>& there) {
+  const auto doubled = [](auto& list, std::ptrdiff_t i) {
+    auto copy = list[i];
+    list.insert(list.begin() + i, std::move(copy));
+  };
+  for (std::ptrdiff_t i = std::ssize(sections) - 2; i > 0; --i)
+    if (sections[i].kink) {
+      doubled(sections, i);
+      doubled(marks, i);
+      there.insert(there.begin() + i, std::vector<char>(there[i].size(), 0));
+    }
+}
+
 } // namespace
 
 SectionedSurface::SectionedSurface(std::vector<BodySection> sections) {
+  round_features(sections);
   require_sections(sections);
+  CorrespondingPoints points =
+      sections.front().features.empty() ? corresponding_points(sections) : given_points(sections);
+  there_ = stretches_there(sections, points);
+  split_at_kinks(sections, points.marks, there_);
   for (const BodySection& section : sections)
     at_.push_back(section.at);
-  std::vector<std::vector<double>> marks;
-  if (sections.front().features.empty())
-    marks = corresponding_points(sections);
-  else
-    for (const BodySection& section : sections)
-      marks.push_back(section.features);
-  if (marks.front().size() < 2)
-    throw InputError("The rail's sections have nothing in common",
-                     "no part of the first one was found in all others", "Give their features.");
-  there_ = stretches_there(sections, marks);
-  tabulate(sections, marks);
+  tabulate(sections, points.marks);
 }
 
 void SectionedSurface::tabulate(const std::vector<BodySection>& sections,

@@ -15,6 +15,8 @@ struct BodySection {
   /// the feature. All sections have as many; what lies before the first and beyond the last is left out.
   /// None: they are found (correspondence.hpp).
   std::vector<double> features = {};
+  /// The surface has an edge across the track here: its slope along the track may jump.
+  bool kink = false;
 };
 
 /// A surface whose section changes along the track: (u, y(u, t), z(u, t)).
@@ -23,8 +25,9 @@ struct BodySection {
 /// Feature lines have whole lines of t; between two of them the arc lengths of the sections run as a
 /// monotone cubic of t (Fritsch and Carlson 1980), the same one on both sides of a line. Along u points of
 /// the same t lie on the interpolating cubic spline through the sections ("not a knot" at its ends; a
-/// parabola of three sections, a straight line of two). Across, the curves are tabulated with their tangents,
-/// at most 0.1 mm apart (cubic Hermite). So the surface is C2 along u, and along t as smooth as its sections.
+/// parabola of three sections, a straight line of two), one spline from kink to kink. Across, the curves are
+/// tabulated with their tangents, at most 0.1 mm apart (cubic Hermite). So the surface is C2 along u, and
+/// along t as smooth as its sections.
 ///
 /// Where neighbouring sections do not both have a feature, what lies between it and the next one is not
 /// there from the one section to the other: a nose or a blade begins with an upright end. What is there must

@@ -156,6 +156,16 @@ private:
   Point2 last_{};
 };
 
+/// Errors name the line of the slices file.
+ProfileCurve profile_of(const std::filesystem::path& file, const Slice& slice,
+                        const ProfileReading& reading) {
+  try {
+    return named_profile(slice.profile.string(), ProfileKind::rail, {}, reading);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}:{}: {}", file.string(), slice.line, error.what()));
+  }
+}
+
 } // namespace
 
 bool names_slices(std::string_view name) {
@@ -207,8 +217,7 @@ std::vector<BodySection> sections_of_slices(const std::filesystem::path& file,
                                             const ProfileReading& reading) {
   std::vector<BodySection> out;
   for (const Slice& slice : read_slices(file)) {
-    BodySection& section = out.emplace_back(
-        BodySection{slice.at, named_profile(slice.profile.string(), ProfileKind::rail, {}, reading)});
+    BodySection& section = out.emplace_back(BodySection{slice.at, profile_of(file, slice, reading)});
     if (slice.features.empty())
       continue;
     const ChordLength lengths(section.profile);
