@@ -140,11 +140,9 @@ TEST(ContactOnSections, BearsTheLoadWithFrictionToo) {
                     level = certified_on(folder.path(), nose, friction + "motion.rolling_radius = 460\n");
   for (const SceneResult* r : {&free, &level})
     EXPECT_NEAR(number(*r, "Fz"), 10000, 0.01);
-  // Creep forces of the spin, on elements that are turned by 0.1 degrees: within what they are known to.
-  EXPECT_NEAR(number(free, "Fx"), number(turned, "Fx"),
-              free.result.totals.Fx.error + turned.result.totals.Fx.error);
-  EXPECT_NEAR(number(free, "Fy"), number(turned, "Fy"),
-              free.result.totals.Fy.error + turned.result.totals.Fy.error);
+  // Creep forces of the spin, on few elements that are turned by 0.1 degrees: within 1 % of friction.
+  for (const char* name : {"Fx", "Fy"})
+    EXPECT_NEAR(number(free, name), number(turned, name), 0.01 * 0.3 * 10000) << name;
   EXPECT_GT(number(level, "Fx"), 1000);
   const double along_normal = std::hypot(number(free, "Fz"), number(free, "Fx_slope"));
   EXPECT_NEAR(along_normal, 10000 * std::sqrt(1.01), 20);

@@ -170,8 +170,14 @@ public:
     shift_ = beside.shift;
     for (const auto& [i, j] : beside.pairs)
       pairs_.emplace_back(beside.a[i].s, beside.b[j].s);
-    for (auto* end : {&pairs_.front(), &pairs_.back()}) // the end of the shorter one, on the longer
-      end->first = refined(b.at(end->second), shift_, a, end->first);
+    // The end of the shorter one, on the longer.
+    const int last = static_cast<int>(beside.a.size()) - 1;
+    for (const auto& [pair, end] : {std::pair{&pairs_.front(), beside.pairs.front().first == 0},
+                                    std::pair{&pairs_.back(), beside.pairs.back().first == last}})
+      if (end)
+        pair->second = refined(a.at(pair->first), {-shift_.y, -shift_.z}, b, pair->second);
+      else
+        pair->first = refined(b.at(pair->second), shift_, a, pair->first);
   }
   double first() const { return pairs_.front().first; }
   double last() const { return pairs_.back().first; }
