@@ -118,8 +118,9 @@ std::string Schema::where(std::string_view path) const {
 
 void Schema::refuse(std::string_view path, std::string_view why, std::string_view what_to_do) const {
   const Key* key = find(path);
+  const bool shown = key && has(path) && !std::holds_alternative<TableList>(key->target); // it has no value
   const std::string problem =
-      key && has(path) ? fmt::format("{} = {}", path, value_text(key->target)) : std::string(path);
+      shown ? fmt::format("{} = {}", path, value_text(key->target)) : std::string(path);
   throw InputError(where(path) + problem, why, what_to_do);
 }
 

@@ -66,7 +66,10 @@ struct ContactConditions {
   /// of them solve() finds a creepage (shift: mm) and adds it to the rigid slip: ContactResult::creepage_x to
   /// w_x, creepage_s cos(delta - reference_delta) to w_s.
   std::optional<double> force_x, force_s;
-  double reference_delta = 0;             ///< rad
+  double reference_delta = 0; ///< rad
+  /// Of a rail that rises or falls along x, tan of its pitch, below 0 where it rises: `force` is the sum of
+  /// (p_n cos(delta) + p_s sin(delta) + rise p_x) dS, what bears along the vertical over cos of the pitch.
+  double rise = 0;
   MotionKind motion = MotionKind::steady; ///< what the rigid slip is a motion of
 };
 

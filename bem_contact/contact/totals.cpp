@@ -24,7 +24,7 @@ void sum_forces(const ContactProblem& problem, ContactResult& result) {
       const Point2 f = area * (result.ps[i] * tangent + result.pn[i] * normal);
       totals.Fx.value += fx;
       totals.Fy.value += f.y;
-      totals.Fz.value += f.z;
+      totals.Fz.value += f.z + problem.rise * fx;
       totals.Fs.value += result.ps[i] * area * share;
       totals.Mz += problem.grid.x(ix) * f.y - row.position.y * fx;
     }

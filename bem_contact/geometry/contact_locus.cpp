@@ -19,7 +19,8 @@ double across(const Vector3& a, const Vector3& b) {
 } // namespace
 
 ContactLocus::ContactLocus(const WheelOnRail& pair)
-    : wheel_(pair.wheel), radius_(pair.wheel_radius), frame_(pair.wheel_frame()), roller_(pair.roller) {
+    : wheel_(pair.wheel), radius_(pair.wheel_radius), frame_(pair.wheel_frame()), down_(pair.seen({0, 0, 1})),
+      roller_(pair.roller) {
   if (pair.uneven)
     nearest_.emplace(*pair.uneven, frame_, radius_);
   trace();
@@ -50,11 +51,14 @@ void ContactLocus::trace() {
 }
 
 void ContactLocus::lower(double by) {
-  frame_.centre[2] += by;
+  for (int i = 0; i < 3; ++i)
+    frame_.centre[i] += by * down_[i];
   if (roller_)
     return trace(); // it slides round the wheel
-  for (Node& node : nodes_)
-    node.position.z += by;
+  for (Node& node : nodes_) {
+    node.x += by * down_[0];
+    node.position.z += by * down_[2];
+  }
 }
 
 std::optional<ContactLocus::Meridian> ContactLocus::meridian(Point2 position, Point2 tangent) const {

@@ -54,7 +54,7 @@ public:
   std::optional<CurvePoint> at(double s) const;
 
   const WheelFrame& frame() const { return frame_; }
-  void lower(double by); ///< with the wheel, mm
+  void lower(double by); ///< with the wheel, along the track's z, mm
 
 private:
   /// Where on its circle a point of the profile has the normal that the rail can meet.
@@ -78,6 +78,7 @@ private:
   TabulatedProfile wheel_;
   double radius_ = 0;
   WheelFrame frame_;
+  Vector3 down_{0, 0, 1}; ///< the track's z
   std::optional<Roller> roller_;
   std::optional<NearestAlong> nearest_; ///< nothing: the wheel is round and the rail the same along x
   std::vector<Node> nodes_;

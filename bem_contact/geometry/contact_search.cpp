@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/geometry/rail_height.hpp"
+#include "bem_contact/geometry/rail_slices.hpp"
 #include "bem_contact/geometry/settings.hpp"
 #include "bem_contact/geometry/undeformed_distance.hpp"
 
@@ -20,11 +21,11 @@ namespace {
 /// 1 (node intervals, 0.1 mm each). How closely the end of a flat stretch is found.
 constexpr double flat_end_width = 1e-6;
 
-/// mm. On a roller, where touch points move as the wheel is lowered, it is lowered until it moves by less.
-/// Each step leaves some 1e-4 of the one before.
-constexpr double roller_touch = 1e-10;
+/// mm. On a roller and on a rail of sections, where touch points move as the wheel is lowered, it is lowered
+/// until it moves by less. Each step leaves some 1e-4 of the one before.
+constexpr double last_lowering = 1e-10;
 /// 1. Such steps at most: four are usual. A bound.
-constexpr int roller_touch_steps = 20;
+constexpr int lowering_steps = 20;
 
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
@@ -182,6 +183,85 @@ std::vector<TouchPoint> touch_points(const WheelOnRail& pair, const ContactLocus
   return points;
 }
 
+/// The touch points of a rail of sections: least distances of its rows, with their relief.
+class TouchOnSections {
+public:
+  TouchOnSections(const WheelOnRail& pair, const ContactLocus& locus) : pair_(pair), locus_(locus) {}
+
+  /// Of all slices of the head.
+  std::vector<TouchPoint> points() const {
+    const std::vector<RailSlice> slices = slice_rail(pair_, locus_);
+    std::vector<double> distance;
+    for (const RailSlice& slice : slices)
+      distance.push_back(slice.gap < excluded_gap ? slice.gap / upright(slice.delta) : excluded_gap);
+    std::vector<TouchPoint> out;
+    const int last = static_cast<int>(slices.size()) - 1;
+    if (last < 2)
+      return out;
+    for (const int k : separate_minima(distance, 0, last)) {
+      if (distance[k] >= excluded_gap)
+        continue;
+      TouchPoint touch = refined(slices[k].s);
+      for (int i = k; i >= 0 && distance[i] <= touch.distance + flat_distance; --i)
+        touch.s_from = std::min(touch.s_from, slices[i].s);
+      for (int i = k; i <= last && distance[i] <= touch.distance + flat_distance; ++i)
+        touch.s_to = std::max(touch.s_to, slices[i].s);
+      out.push_back(touch);
+    }
+    std::ranges::sort(out, {}, &TouchPoint::distance);
+    return out;
+  }
+  /// The same ones where the wheel stands now.
+  std::vector<TouchPoint> again(const std::vector<TouchPoint>& before) const {
+    std::vector<TouchPoint> out;
+    for (const TouchPoint& touch : before) {
+      TouchPoint now = refined(touch.rail_s);
+      now.s_from = std::min(touch.s_from, now.rail_s);
+      now.s_to = std::max(touch.s_to, now.rail_s);
+      out.push_back(now);
+    }
+    std::ranges::sort(out, {}, &TouchPoint::distance);
+    return out;
+  }
+
+private:
+  double upright(double delta) const { return std::cos(delta) * pair_.upright(); }
+  std::pair<RowOnLocus, ContactRow> row_at(double s) const {
+    const CurvePoint p = pair_.rail_at(s);
+    const ContactRow row{p.s, p.position, p.delta};
+    return {with_relief(pair_, row, rows_on_locus(locus_, std::span(&row, 1)).front()), row};
+  }
+  TouchPoint refined(double near) const {
+    const auto vertical = [&](double s) {
+      const auto [on, row] = row_at(s);
+      return on.hit() ? on.distance / upright(row.delta) : excluded_gap;
+    };
+    const double from = std::max(near - slice_width, pair_.rail.s_begin()),
+                 to = std::min(near + slice_width, pair_.rail.s_end());
+    const auto [s, least] =
+        boost::math::tools::brent_find_minima(vertical, from, to, std::numeric_limits<double>::digits / 2);
+    const double at = vertical(near) <= least ? near : s;
+    const auto [on, row] = row_at(at);
+    const Vector3 p = pair_.sections->point(on.x, row);
+    return {at, on.wheel_s, on.x, {p[1], p[2]}, row.delta, on.distance / upright(row.delta), at, at};
+  }
+
+  const WheelOnRail& pair_;
+  const ContactLocus& locus_;
+};
+
+void lower(WheelOnRail& pair, ContactLocus& locus, double by) {
+  pair.wheel_pose.origin.z += by;
+  locus.lower(by);
+}
+
+/// At first to the prism: from far away slices see no wheel.
+void bring_near(WheelOnRail& pair, ContactLocus& locus) {
+  const std::vector<TouchPoint> points = touch_points(pair, locus);
+  if (!points.empty())
+    lower(pair, locus, points.front().distance / pair.upright());
+}
+
 } // namespace
 
 std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair) {
@@ -191,17 +271,23 @@ std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair) {
 
 std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair, ContactLocus& locus) {
   // On a straight rail the first step is exact.
+  const bool moves = pair.roller || pair.sections;
+  if (pair.sections)
+    bring_near(pair, locus);
+  std::vector<TouchPoint> points;
   for (int step = 1;; ++step) {
-    std::vector<TouchPoint> points = touch_points(pair, locus);
+    const TouchOnSections sections(pair, locus);
+    points = !pair.sections ? touch_points(pair, locus)
+             : step == 1    ? sections.points()
+                            : sections.again(points);
     if (points.empty())
       throw InputError("The wheel has no touch point on the rail", "the vertical distance has no minimum",
                        "Check the profiles.");
     const double drop = points.front().distance;
-    pair.wheel_pose.origin.z += drop;
-    locus.lower(drop);
+    lower(pair, locus, drop);
     for (TouchPoint& p : points)
       p.distance -= drop;
-    if (!pair.roller || std::abs(drop) < roller_touch || step == roller_touch_steps)
+    if (!moves || std::abs(drop) < last_lowering || step == lowering_steps)
       return points;
   }
 }

@@ -17,10 +17,6 @@ constexpr int end_halvings = 40;
 /// of the steepest flange, 75 degrees.
 constexpr double steepest = 4;
 
-double dot(const Vector3& a, const Vector3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 } // namespace
 
 NearestAlong::NearestAlong(UnevenSurfaces surfaces, const WheelFrame& frame, double wheel_radius)

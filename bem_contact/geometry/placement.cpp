@@ -1,6 +1,7 @@
 #include "bem_contact/geometry/placement.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/geometry/contact_search.hpp"
 #include "bem_contact/profile/running_head.hpp"
 
 #include <algorithm>
@@ -100,14 +101,42 @@ Point2 rail_origin(const WheelsetPosition& position, const TabulatedProfile& rai
   return {position.gauge / 2 - head.gauge_face(), -head.top()};
 }
 
-} // namespace
+/// 1. Frames from which a rail of sections is looked at, one after the other: four are usual, and where the
+/// wheel touches at two places of other slopes they go on changing.
+constexpr int frames_tried = 8;
+/// 1 (of unit vectors) and mm. A frame that changes by less stays.
+constexpr double same_direction = 1e-9;
+constexpr double same_origin = 1e-4; ///< mm. As above.
 
-Point2 Pose::to_track(Point2 section) const {
-  return origin + turned(section, angle);
+double change(const Vector3& a, const Vector3& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
-Point2 Pose::to_section(Point2 track) const {
-  return turned(track - origin, -angle);
+
+/// Lays the frame along the surface where the wheel touches, which depends on the frame.
+void look_from_touch(WheelOnRail& pair, SectionedRail rail) {
+  RailFrame frame;
+  for (int i = 0; i < frames_tried; ++i) {
+    pair.rail = rail.look_from(frame);
+    pair.sections = rail;
+    WheelOnRail lowered = pair;
+    const TouchPoint touch = lower_to_touch(lowered).front();
+    const CurvePoint at = pair.rail_at(touch.rail_s);
+    const ContactRow row{at.s, at.position, at.delta};
+    const SectionedRail::Direction direction = rail.direction(touch.x, row);
+    const RailFrame next(frame.point_in_track(rail.point(touch.x, row)), direction.ahead);
+    pair.sinking = direction.sinking;
+    pair.surface_speed = next.along[0] + direction.sinking * next.along[2];
+    const bool stays = i > 0 && change(next.along, frame.along) < same_direction &&
+                       std::abs(next.origin[0] - frame.origin[0]) < same_origin;
+    if (stays)
+      return;
+    frame = next;
+  }
+  pair.rail = rail.look_from(frame);
+  pair.sections = rail;
 }
+
+} // namespace
 
 CurvePoint WheelOnRail::rail_at(double s) const {
   CurvePoint p = rail.at(s);
@@ -117,6 +146,10 @@ CurvePoint WheelOnRail::rail_at(double s) const {
 }
 
 WheelFrame WheelOnRail::wheel_frame() const {
+  return sections ? sections->frame().wheel(wheel_in_track()) : wheel_in_track();
+}
+
+WheelFrame WheelOnRail::wheel_in_track() const {
   const double cosine = std::cos(wheel_pose.angle), sine = std::sin(wheel_pose.angle);
   const Point2 centre = wheel_pose.to_track({0, -wheel_radius});
   const double arm = centre.y - centre_y;
@@ -129,10 +162,12 @@ Vector3 WheelOnRail::wheelset_centre() const {
   const double roll = wheel_pose.angle - deviation.roll; // of the rigid wheelset
   const Point2 rigid =
       wheel_pose.to_track({0, -wheel_radius}) - Point2{deviation.lateral, deviation.vertical};
-  return {0, centre_y, rigid.z + (centre_y - rigid.y) * std::tan(roll)};
+  const Vector3 centre{0, centre_y, rigid.z + (centre_y - rigid.y) * std::tan(roll)};
+  return sections ? sections->frame().seen_point(centre) : centre;
 }
 
-WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, TabulatedProfile wheel) {
+WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, TabulatedProfile wheel,
+                  const std::shared_ptr<const SectionedSurface>& surface) {
   // Roll and yaw are axial vectors in the plane that mirrors left and right: they change sign with y.
   const double side = position.side == WheelSide::left ? -1 : 1;
   WheelOnRail pair{std::move(rail),
@@ -170,6 +205,8 @@ WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, Tabul
   pair.wheel_pose.angle += pair.deviation.roll;
   if (d.roll != 0 || d.lateral != 0 || d.vertical != 0)
     pair.wheel_pose.origin = centre - turned(tape_radius, pair.wheel_pose.angle);
+  if (surface)
+    look_from_touch(pair, SectionedRail(surface, pair.rail_pose, position.uneven.along));
   return pair;
 }
 

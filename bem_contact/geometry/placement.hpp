@@ -1,10 +1,13 @@
 #pragma once
 
+#include "bem_contact/geometry/pose.hpp"
 #include "bem_contact/geometry/roller.hpp"
+#include "bem_contact/geometry/sectioned_rail.hpp"
 #include "bem_contact/geometry/tabulated_profile.hpp"
 #include "bem_contact/geometry/unevenness.hpp"
 #include "bem_contact/profile/profile_reading.hpp"
 
+#include <memory>
 #include <optional>
 
 namespace bem_contact {
@@ -50,16 +53,6 @@ struct WheelsetPosition {
   bool operator==(const WheelsetPosition&) const = default;
 };
 
-/// Where a section stands in the track frame: track = origin + Rot(angle) section, the rotation taking
-/// the section's y towards z (about +x). Inclinations grow by `angle`.
-struct Pose {
-  Point2 origin;    ///< of the section, in the track frame, mm
-  double angle = 0; ///< rad
-
-  Point2 to_track(Point2 section) const; ///< a point of the section in the track frame, mm
-  Point2 to_section(Point2 track) const; ///< and back
-};
-
 /// A wheel on a rail. Track frame: x from the wheelset's centre, y from the track's centre line towards the
 /// side of this wheel, z down from the highest point of the rail's running head (running_head.hpp; as it
 /// stands without deviations). Both curves stay in their own section frames.
@@ -81,6 +74,10 @@ struct Pose {
 /// An uneven rail is looked at straightened: what lies lower by UnevenSurfaces::rail(x) is lifted by as much,
 /// and the wheel above it with it. So the rail is the same all along x again, and distances along z are what
 /// they are. To first order in the slope of the rail all else is too.
+///
+/// A rail of sections is looked at in the frame of its SectionedRail, and so are the wheel (wheel_frame())
+/// and all places on either: the rail is the section there, a prism, with a relief. Poses are those of the
+/// track frame, and the wheel is lowered along the track's z.
 struct WheelOnRail {
   TabulatedProfile rail, wheel;      ///< in their own section frames
   Pose rail_pose, wheel_pose;        ///< wheel_pose is that before the yaw; rail_pose is final
@@ -89,26 +86,40 @@ struct WheelOnRail {
   double centre_y = 0;               ///< the vertical about which it is yawed, mm
   std::optional<Roller> roller = {}; ///< nothing: the rail is straight
   WheelDeviation deviation = {};     ///< in the frame of its side; all but its yaw are in wheel_pose already
-  std::optional<UnevenSurfaces> uneven = {}; ///< nothing: the wheel is round and the rail the same along x
+  std::optional<UnevenSurfaces> uneven = {};  ///< nothing: the wheel is round and the rail the same along x
+  std::optional<SectionedRail> sections = {}; ///< nothing: the rail has one section
+  double surface_speed = 1; ///< along the rail's surface, over V: above 1 where it rises or falls
+  double sinking = 0;       ///< of the wheel as it rolls along the rail of sections, over V
 
   /// A point of the rail's profile at its own arc length, in the track frame; delta too, curvature as it is.
   CurvePoint rail_at(double s) const;
-  /// A point of the straightened rail at x, where it is in space.
-  Vector3 in_space(double x, Point2 p) const { return {x, p.y, p.z + rail_lower(x)}; }
+  /// A point of the rail at x, where it is in space: of an uneven rail or one of sections no longer on the
+  /// prism.
+  Vector3 in_space(double x, const ContactRow& row) const {
+    return sections ? sections->point(x, row) : Vector3{x, row.position.y, row.position.z + rail_lower(x)};
+  }
   /// By how much it is lifted at x, mm; 0 on an even rail and in a gap, where there is none.
   double rail_lower(double x) const {
     const double lower = uneven ? uneven->rail(x) : 0;
     return lower < UnevenSurfaces::no_rail ? lower : 0;
   }
-  WheelFrame wheel_frame() const; ///< the wheel as it is yawed and rolled
-  Vector3
-  wheelset_centre() const; ///< where the vertical about which the wheelset is yawed meets its axle, mm
+  WheelFrame wheel_frame() const;    ///< the wheel as it is yawed and rolled, as the rail is looked at
+  WheelFrame wheel_in_track() const; ///< the same in the track frame
+  /// Where the vertical about which the wheelset is yawed meets its axle, as the rail is looked at, mm.
+  Vector3 wheelset_centre() const;
+  /// A vector of the track frame, as the rail is looked at.
+  Vector3 seen(const Vector3& v) const { return sections ? sections->frame().seen(v) : v; }
+  /// cos of the rail's pitch: how much of the track's z lies along z of the frame.
+  double upright() const { return sections ? sections->frame().into[2] : 1; }
 };
 
 /// Places both. The wheelset's centre is at z = -wheel_radius, so that the wheel may hang above the rail or
-/// cut into it: see lower_to_touch().
-/// Throws InputError where a rail that is placed by its gauge face has none at the given height, and where a
-/// roller's axis is not below all of the rail, and for unevenness on a roller.
-WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, TabulatedProfile wheel);
+/// cut into it: see lower_to_touch(). `surface`: of a rail of sections, of which `rail` is the one that gauge
+/// and top are taken from; nothing: it has this section alone. It is looked at from where the wheel touches
+/// it first. Throws InputError where a rail that is placed by its gauge face has none at the given height,
+/// where a roller's axis is not below all of the rail, for unevenness on a roller, and where the wheel stands
+/// off the sections.
+WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, TabulatedProfile wheel,
+                  const std::shared_ptr<const SectionedSurface>& surface = {});
 
 } // namespace bem_contact

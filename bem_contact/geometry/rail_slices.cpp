@@ -1,9 +1,10 @@
 #include "bem_contact/geometry/rail_slices.hpp"
 
 #include "bem_contact/geometry/settings.hpp"
-#include "bem_contact/geometry/undeformed_distance.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <limits>
 
 namespace bem_contact {
 
@@ -14,8 +15,48 @@ constexpr double farthest_slice = 3.0;
 /// 1. Least curvature along x of a slice, in curvatures of the wheel: a yawed hollow wheel may have none, and
 /// the estimate needs some. Uneven bodies have some of their own (NearestAlong).
 constexpr double least_slice_curvature = 0.05;
+/// mm. The same of the prism of a rail of sections: its relief brings it so much nearer within the reach.
+constexpr double farthest_prism = 12.0;
+/// 1. How far from the locus the relief may take the nearest place along x, in radii of the wheel: a rail
+/// that is steeper against the frame by 0.15.
+constexpr double relief_reach = 0.15;
+/// mm. Steps in which the relief is looked at: sections are farther apart than this.
+constexpr double relief_step = 4.0;
+/// mm. Over which the relief's curvature is taken: half of a contact.
+constexpr double relief_curvature_length = 3.0;
 
 } // namespace
+
+RowOnLocus with_relief(const WheelOnRail& pair, const ContactRow& row, const RowOnLocus& prism) {
+  if (!prism.hit())
+    return prism;
+  const auto distance = [&](double x) {
+    const auto deeper = pair.sections->depth(x, row);
+    return deeper ? prism.half * (x - prism.x) * (x - prism.x) + *deeper
+                  : std::numeric_limits<double>::infinity();
+  };
+  const int steps = static_cast<int>(relief_reach * pair.wheel_radius / relief_step);
+  double best = prism.x, least = distance(best);
+  for (int i = -steps; i <= steps; ++i)
+    if (const double x = prism.x + i * relief_step, d = distance(x); d < least)
+      best = x, least = d;
+  if (!std::isfinite(least))
+    return {};
+  const auto [x, refined] = boost::math::tools::brent_find_minima(
+      [&](double at) { return std::min(distance(at), excluded_gap); }, best - relief_step, best + relief_step,
+      std::numeric_limits<double>::digits / 2);
+  if (refined < least)
+    best = x, least = refined;
+  RowOnLocus out = prism;
+  out.x = best;
+  out.distance += least;
+  const auto deep = [&](double at) { return pair.sections->depth(at, row); };
+  const auto before = deep(best - relief_curvature_length), here = deep(best),
+             after = deep(best + relief_curvature_length);
+  if (before && here && after)
+    out.half += 0.5 * (*before - 2 * *here + *after) / (relief_curvature_length * relief_curvature_length);
+  return out;
+}
 
 std::vector<RailSlice> slice_rail(const WheelOnRail& pair, const ContactLocus& locus) {
   std::vector<ContactRow> rows;
@@ -26,7 +67,16 @@ std::vector<RailSlice> slice_rail(const WheelOnRail& pair, const ContactLocus& l
     const CurvePoint p = pair.rail.quick(s, near);
     rows.push_back({s, origin + turn(p.position), p.delta + angle});
   }
-  const std::vector<RowOnLocus> nearest = rows_on_locus(locus, rows, farthest_slice);
+  std::vector<RowOnLocus> nearest =
+      rows_on_locus(locus, rows, pair.sections ? farthest_prism : farthest_slice);
+  if (pair.sections)
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      nearest[i] = with_relief(pair, rows[i], nearest[i]);
+      const Vector3 p = pair.sections->point(nearest[i].x, rows[i]);
+      rows[i].position = {p[1], p[2]};
+      if (nearest[i].distance > farthest_slice)
+        nearest[i] = {};
+    }
   std::vector<RailSlice> slices;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double least = pair.uneven ? 0 : least_slice_curvature / pair.wheel_radius;

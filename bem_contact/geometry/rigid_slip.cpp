@@ -4,14 +4,6 @@ namespace bem_contact {
 
 namespace {
 
-Vector3 cross(const Vector3& a, const Vector3& r) {
-  return {a[1] * r[2] - a[2] * r[1], a[2] * r[0] - a[0] * r[2], a[0] * r[1] - a[1] * r[0]};
-}
-
-Vector3 between(const Vector3& centre, const Vector3& p) {
-  return {p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]};
-}
-
 /// `of(row, x)`: w_x and w_s of one element.
 template <class Of>
 RigidSlip fields(std::span<const ContactRow> rows, std::span<const double> x, const Of& of) {
@@ -54,18 +46,19 @@ SurfaceSpeeds speeds_of(const WheelOnRail& pair, const ReferencePoint& reference
 class WheelMotion {
 public:
   WheelMotion(const WheelOnRail& pair, const Creepage& creepage)
-      : frame_(pair.wheel_frame()), centre_(pair.wheelset_centre()),
-        velocity_(creepage.velocity), rotation_{creepage.roll * frame_.forward[0],
-                                                creepage.roll * frame_.forward[1], creepage.yaw},
+      : frame_(pair.wheel_frame()), centre_(pair.wheelset_centre()), velocity_(pair.seen(creepage.velocity)),
         own_(creepage.wheel_velocity != Vector3{} || creepage.wheel_rates != Vector3{}) {
+    const WheelFrame track = pair.wheel_in_track();
+    rotation_ = pair.seen({creepage.roll * track.forward[0], creepage.roll * track.forward[1], creepage.yaw});
     if (!own_)
       return;
     const double c = std::cos(pair.yaw), s = std::sin(pair.yaw);
     const auto& [forward, right, down] = creepage.wheel_velocity;
-    own_velocity_ = {c * forward - s * right, s * forward + c * right, down};
+    own_velocity_ = pair.seen({c * forward - s * right, s * forward + c * right, down});
     const auto& [roll, pitch, yaw] = creepage.wheel_rates;
     for (int i = 0; i < 3; ++i)
-      own_rotation_[i] = roll * frame_.forward[i] - pitch * frame_.axle[i] + (i == 2 ? yaw : 0.0);
+      own_rotation_[i] = roll * track.forward[i] - pitch * track.axle[i] + (i == 2 ? yaw : 0.0);
+    own_rotation_ = pair.seen(own_rotation_);
   }
 
   /// The velocity of a point of the wheel that turns by `turning` per rolled distance, rad/mm.
@@ -85,7 +78,7 @@ public:
 
 private:
   WheelFrame frame_;
-  Vector3 centre_, velocity_, rotation_;
+  Vector3 centre_, velocity_, rotation_{};
   bool own_;
   Vector3 own_velocity_{}, own_rotation_{};
 };
@@ -132,7 +125,7 @@ double radius_at(const WheelFrame& frame, const Vector3& point) {
 
 double radius_at(const WheelOnRail& pair, const WheelFrame& frame, double x, Point2 point) {
   if (!pair.roller)
-    return radius_at(frame, pair.in_space(x, point));
+    return radius_at(frame, {x, point.y, point.z + pair.rail_lower(x)}) / pair.surface_speed;
   const Vector3 turned = cross(frame.axle, between(frame.centre, pair.roller->in_space(x, point)));
   return Roller::seen(turned, pair.roller->angle(x, point))[0];
 }
@@ -166,7 +159,7 @@ double RollingSpeed::xi_at(double other) const {
 
 double mean_surface_speed(const WheelOnRail& pair, const ReferencePoint& reference,
                           const Creepage& creepage) {
-  return pair.roller ? speeds_of(pair, reference, creepage).mean() : 1;
+  return pair.roller ? speeds_of(pair, reference, creepage).mean() : pair.surface_speed;
 }
 
 RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, const Creepage& creepage,
@@ -178,15 +171,17 @@ RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, c
   const double turning = (1 - creepage.xi) / radius; // 1 / R_roll
   const WheelMotion wheel(pair, creepage);
   const AddedCreepage added{reference, creepage};
-  double rising = 0;
+  double sinking = pair.sinking;
   if (pair.uneven) {
-    const Vector3 v = wheel.at(pair.in_space(reference.x, reference.position), turning);
-    rising = -dot(Point2{v[1], v[2]}, normal_of(reference.delta)) / std::cos(reference.delta);
+    const Vector3 v =
+        wheel.at(pair.in_space(reference.x, {reference.s, reference.position, reference.delta}), turning);
+    sinking = -dot(Point2{v[1], v[2]}, normal_of(reference.delta)) / std::cos(reference.delta);
   }
+  const Vector3 travel = pair.seen({1, 0, sinking});
   return fields(rows, x, [&](const ContactRow& row, double at) {
-    Vector3 v = wheel.at(pair.in_space(at, row.position), turning);
-    v[0] += 1;
-    v[2] += rising;
+    Vector3 v = wheel.at(pair.in_space(at, row), turning);
+    for (int i = 0; i < 3; ++i)
+      v[i] = (v[i] + travel[i]) / pair.surface_speed;
     return added.on(row, at, v);
   });
 }

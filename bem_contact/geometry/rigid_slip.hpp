@@ -54,6 +54,9 @@ struct RigidSlip {
 /// w_x is the difference of these speeds over V', plus xi as on a track; to first order in creepage a large
 /// roller is a track. `rows`, `x`: middles of the elements, mm.
 ///
+/// On a rail of sections all of this is seen in its frame, over the speed V / cos(pitch) along its surface;
+/// the wheel's centre moves along the surface where it touches.
+///
 /// On uneven bodies the wheel's centre rises and falls as it rolls: by so much that at the reference point
 /// nothing moves along the rail's normal.
 RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, const Creepage& creepage,
@@ -74,11 +77,13 @@ struct RollingSpeed {
 RollingSpeed rolling_speed(const WheelOnRail& pair, const ReferencePoint& reference,
                            const Creepage& creepage);
 
-/// The mean of the speeds of both surfaces at the reference point, over V; 1 on a track.
+/// The mean of the speeds of both surfaces at the reference point, over V; on a track that along the rail's
+/// surface, 1 where it is level.
 double mean_surface_speed(const WheelOnRail& pair, const ReferencePoint& reference, const Creepage& creepage);
 
 /// How far a point of the wheel lies from its axle across the rolling direction, mm: a wheel that rolls with
-/// this radius does not slide along x there. `x`, `point`: in the track frame, mm.
+/// this radius does not slide along x there. On a rail of sections, which is longer than the track, it is
+/// less by as much. `x`, `point`: in the track frame, mm.
 double radius_at(const WheelOnRail& pair, double x, Point2 point);
 /// The same with the frame of the pair, where it is known.
 double radius_at(const WheelOnRail& pair, const WheelFrame& frame, double x, Point2 point);

@@ -1,14 +1,11 @@
 #pragma once
 
 #include "bem_contact/base/conventions.hpp"
+#include "bem_contact/geometry/vector3.hpp"
 
-#include <array>
 #include <cmath>
 
 namespace bem_contact {
-
-/// A point or vector of the track frame (x, y, z), mm.
-using Vector3 = std::array<double, 3>;
 
 /// The wheel as it stands: the centre of its tape circle on the axle, and three unit vectors that are the
 /// track's x, y, z where it is neither rolled nor yawed.

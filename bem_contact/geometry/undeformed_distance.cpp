@@ -157,7 +157,7 @@ template <class Curve> int interval_crossed(const Curve& curve, const Ray& ray, 
 
 /// Where the ray crosses a curve (the wheel's profile or locus), the nearest crossing to node `start`: regula
 /// falsi of Anderson and Bjorck (1973), which halves the bracket now and then.
-template <class Curve> std::optional<Crossing> cross(const Curve& curve, const Ray& ray, int start) {
+template <class Curve> std::optional<Crossing> crossing_of(const Curve& curve, const Ray& ray, int start) {
   const int k = interval_crossed(curve, ray, start);
   if (k < 0)
     return std::nullopt;
@@ -267,7 +267,7 @@ std::vector<RowOnLocus> rows_on_locus(const ContactLocus& locus, std::span<const
     const int near = nearest[i];
     if (near < 0)
       continue;
-    const auto found = cross(LocusCurve{locus}, Ray(rows[i]), near);
+    const auto found = crossing_of(LocusCurve{locus}, Ray(rows[i]), near);
     if (!found)
       continue;
     const ContactLocus::Point p = locus.between(found->k, found->t);
@@ -293,9 +293,12 @@ std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const
   for (std::size_t is = 0; is < rows.size(); ++is)
     start[is] = pair.wheel.interval(on_locus[is].wheel_s, first) - first;
   const auto measure = [&](const WheelSection& section, std::size_t is, std::size_t ix) {
-    if (const auto found = cross(section, Ray(rows[is]), start[is])) {
-      gap[is * x.size() + ix] = found->distance;
+    if (const auto found = crossing_of(section, Ray(rows[is]), start[is])) {
       start[is] = found->k;
+      if (!pair.sections)
+        gap[is * x.size() + ix] = found->distance;
+      else if (const auto deeper = pair.sections->depth(x[ix], rows[is]))
+        gap[is * x.size() + ix] = found->distance + *deeper;
     }
   };
   for (std::size_t ix = 0; ix < x.size(); ++ix) {

@@ -30,7 +30,8 @@ std::vector<RowOnLocus> rows_on_locus(const ContactLocus& locus, std::span<const
 /// field [rows][x]. An element whose normal misses the wheel gets excluded_gap. So does every element of a
 /// row that misses the locus or is farther than farthest_row from it (rows_on_locus()). At x the rolled and
 /// yawed wheel is cut by the plane x = const, and the normal intersected with that section (no quadratic
-/// approximation); on a roller by the half-plane through its axis that holds the element. `on_locus`:
+/// approximation); on a roller by the half-plane through its axis that holds the element. The relief of a
+/// rail of sections is added; where there is no rail the element gets excluded_gap. `on_locus`:
 /// rows_on_locus() of the same rows.
 std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const RowOnLocus> on_locus,
                                         std::span<const ContactRow> rows, std::span<const double> x);

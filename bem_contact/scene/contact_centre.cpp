@@ -2,6 +2,7 @@
 
 #include "bem_contact/geometry/rigid_slip.hpp"
 #include "bem_contact/geometry/settings.hpp"
+#include "bem_contact/geometry/undeformed_distance.hpp"
 #include "bem_contact/scene/approach_search.hpp"
 
 #include <cmath>
@@ -14,6 +15,27 @@ namespace {
 double foundation(const RailSlice& c, double q) {
   const double depth = c.depth(q);
   return depth > 0 ? 4.0 / 3 * depth * std::sqrt(depth / c.half) * slice_width : 0.0;
+}
+
+/// The slice nearest to s among those that `take` chooses; there is one.
+template <class Take>
+const RailSlice& nearest_slice(std::span<const RailSlice> slices, double s, const Take& take) {
+  const RailSlice* nearest = nullptr;
+  for (const RailSlice& c : slices)
+    if (take(c) && (!nearest || std::abs(c.s - s) < std::abs(nearest->s - s)))
+      nearest = &c;
+  return *nearest;
+}
+
+/// Between a wing and a nose there is a flangeway: a centre there goes to the nearest place that bears.
+void leave_gaps(std::span<const RailSlice> slices, double q, ContactCentre& centre) {
+  const RailSlice& here = nearest_slice(slices, centre.s, [](const RailSlice&) { return true; });
+  if (here.gap < excluded_gap)
+    return;
+  const RailSlice& bears =
+      nearest_slice(slices, centre.s, [&](const RailSlice& c) { return foundation(c, q) > 0; });
+  centre.s = bears.s;
+  centre.x = bears.x;
 }
 
 } // namespace
@@ -42,7 +64,9 @@ std::optional<ContactCentre> contact_centre(std::span<const RailSlice> slices, c
   }
   if (!(sum > 0))
     return std::nullopt;
-  return ContactCentre{centre.s / sum, centre.x / sum, centre.rolling_radius / sum};
+  centre = {centre.s / sum, centre.x / sum, centre.rolling_radius / sum};
+  leave_gaps(slices, q, centre);
+  return centre;
 }
 
 } // namespace bem_contact

@@ -24,7 +24,8 @@ struct ContactCentre {
 
 /// Centre of the pressure of an elastic foundation (Winkler) under the same load. Unlike the point of first
 /// touch it moves continuously when a second area takes over the load, and so does all that refers to it.
-/// Nothing where the bodies do not touch.
+/// Where the wheel is not near the rail there it is the nearest place that bears. Nothing where the bodies do
+/// not touch.
 std::optional<ContactCentre> contact_centre(std::span<const RailSlice> slices, const WheelOnRail& pair,
                                             const WheelFrame& frame, double compliance,
                                             const ContactLoad& load);

@@ -165,6 +165,8 @@ ContactOnGrid ContactSetup::on(const GridPlan& plan) const {
     out.roller_contact_radius = wheel_rail()->roller_contact_radius();
   }
   apply_motion(motion, reference().delta, problem);
+  if (wheel_rail() && wheel_rail()->pair.sections)
+    problem.rise = wheel_rail()->pair.sections->frame().rise();
   if (!problem.tangential)
     return out;
   problem.yield = layer.yield;
@@ -175,8 +177,11 @@ ContactOnGrid ContactSetup::on(const GridPlan& plan) const {
 }
 
 void ContactSetup::prescribe(const MotionStep& step, ContactProblem& problem) const {
-  if (step.load)
-    (problem.load == LoadKind::force ? problem.force : problem.approach) = *step.load;
+  const double upright = wheel_rail() ? wheel_rail()->pair.upright() : 1;
+  if (step.load && problem.load == LoadKind::force)
+    problem.force = *step.load / upright;
+  else if (step.load)
+    problem.approach = *step.load * upright;
   if (motion.force_x)
     problem.force_x = step.force_x.value_or(*motion.force_x);
   if (motion.force_s)
@@ -211,10 +216,12 @@ RigidSlip ContactSetup::rigid_slip(const MotionStep& step, const std::vector<Con
 ContactSetup set_up_contact(const SceneFile& scene, const WheelRailProfiles& profiles) {
   if (scene.load.approach)
     require_small_approach(*scene.load.approach);
-  LoweredWheel bodies(place(scene.position, profiles.rail, profiles.wheel));
-  const double lowered = bodies.drop();
-  const ContactLoad load = load_of(scene, scene.position.vertical ? *scene.position.vertical - lowered
-                                                                  : scene.load.approach.value_or(0));
+  LoweredWheel bodies(place(scene.position, profiles.rail, profiles.wheel, profiles.surface));
+  const double lowered = bodies.drop(), upright = bodies.pair.upright();
+  ContactLoad load = load_of(scene, scene.position.vertical ? *scene.position.vertical - lowered
+                                                            : scene.load.approach.value_or(0));
+  load.force /= upright; // as the rail is looked at
+  load.approach *= upright;
   return set_up_touching(scene, std::move(bodies), load,
                          {.lowered = lowered, .rail_inclination = profiles.rail_inclination});
 }

@@ -45,7 +45,7 @@ struct ContactOnGrid {
 /// are. Both kinds of scene become one; it is complete when it is made. Cheap to copy: copies share geometry.
 struct ContactSetup {
   Body rail, wheel; ///< the lower and the upper body
-  ContactLoad load;
+  ContactLoad load; ///< along z of the frame in which a rail of sections is looked at (WheelOnRail)
   Motion motion;
   std::shared_ptr<const std::variant<WheelRailGeometry, PatchGeometry>> geometry;
   ContactLayer layer;

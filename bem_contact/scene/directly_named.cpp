@@ -2,6 +2,8 @@
 
 #include "bem_contact/profile/read_profile.hpp"
 
+#include <fmt/format.h>
+
 namespace bem_contact {
 
 std::vector<NamedFile> directly_named(const SceneFile& scene) {
@@ -11,7 +13,10 @@ std::vector<NamedFile> directly_named(const SceneFile& scene) {
       files.push_back(
           {key, name, names_profile(key) ? profile_file_name(name, scene.folder).file : scene.folder / name});
   };
-  add("rail.profile", scene.rail.profile);
+  if (scene.rail.sections.empty())
+    add("rail.profile", scene.rail.profile);
+  for (std::size_t i = 0; i < scene.rail.sections.size(); ++i)
+    add(fmt::format("rail.sections[{}].profile", i).c_str(), scene.rail.sections[i].profile);
   add("wheel.profile", scene.wheel.profile);
   add("left_rail.profile", scene.wheelset.left_rail.profile);
   add("left_wheel.profile", scene.wheelset.left_wheel.profile);

@@ -227,7 +227,7 @@ void check_patch(const SceneFile& f, const Schema& s) {
 }
 
 void check_wheel_rail(const SceneFile& f, const Schema& s) {
-  if (f.rail.profile.empty())
+  if (f.rail.profile.empty() && f.rail.sections.empty())
     s.refuse("rail.profile", "a wheel on a rail needs the rail's profile",
              "Give for instance profile = \"60E1\".");
   if (f.wheel.profile.empty())

@@ -178,7 +178,16 @@ std::vector<NamedFile> files_of_key(const std::string& key, const std::string& n
   if (!names_profile(key))
     return {{key, name, folder / name}};
   std::vector<NamedFile> files{{key, name, profile_file_name(name, folder).file}};
-  const std::filesystem::path& file = files.front().file;
+  const std::filesystem::path file = files.front().file;
+  if (names_slices(name) && is_regular(file)) {
+    try {
+      for (const Slice& slice : read_slices(file))
+        files.push_back({fmt::format("{}.sections[{}].profile", key, files.size() - 1),
+                         slice.profile.string(), slice.profile});
+    } catch (const InputError&) { // whoever uses the sections says what is wrong with them
+    }
+    return files;
+  }
   if (is_standard_profile(name) || file.extension() != ".toml" || !is_regular(file))
     return files;
   try {

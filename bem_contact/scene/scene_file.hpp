@@ -4,6 +4,7 @@
 #include "bem_contact/base/schema.hpp"
 #include "bem_contact/geometry/unevenness.hpp"
 #include "bem_contact/profile/profile_reading.hpp"
+#include "bem_contact/profile/sections/slices_file.hpp"
 #include "bem_contact/scene/choices.hpp"
 #include "bem_contact/scene/scene_text.hpp"
 #include "bem_contact/scene/warning.hpp"
@@ -44,9 +45,20 @@ struct SceneFile {
   /// they are not asked for.
   std::vector<std::string> derivatives;
 
+  /// [[rail.sections]]: the section of a rail that changes along the track, at one place
+  struct Section {
+    double at = 0;                ///< place along the track, as position.along, mm
+    std::string profile;          ///< standard name or file
+    std::vector<double> features; ///< arc lengths of the feature lines that it has, mm (BodySection)
+    std::vector<double> without;  ///< numbers of those that it does not have, from 1
+    bool kink = false;            ///< the slope along the track may jump here
+
+    bool operator==(const Section&) const = default;
+  };
+
   /// [rail], [wheel]
   struct Side {
-    std::string profile;                ///< standard name or file (wheel_rail)
+    std::string profile;                ///< standard name or file (wheel_rail); of sections: the first one
     ProfileReading reading;             ///< how a profile file is read: keys smoothing, unit, profile_z, ...
     BodyPlace place = BodyPlace::gauge; ///< by gauge and flange back, or where the file puts it
     double y = 0, z = 0; ///< absolute: where the section's origin stands (WheelsetPosition), mm
@@ -54,6 +66,7 @@ struct SceneFile {
     WheelFlat flat = {};                      ///< [wheel.flat]
     WheelPolygon polygon = {};                ///< [wheel.polygon]
     RailJoint joint = {};                     ///< [rail.joint]
+    std::vector<Section> sections = {};       ///< [[rail.sections]]; none: it is the same along the track
     Material material;                        ///< [rail.material], [wheel.material]
     std::optional<double> limit_pressure =
         {};                 ///< [rail.material]: p_n is no larger, MPa; empty: that of `steel`
@@ -73,6 +86,10 @@ struct SceneFile {
 
     bool operator==(const Position&) const = default;
   } position; ///< [position]
+  /// Whether wheel or rail are another at each place along the track.
+  bool changes_along() const {
+    return position.uneven.given() || !rail.sections.empty() || names_slices(rail.profile);
+  }
 
   /// [track], wheel_rail: the curve that the wheelset runs through
   struct Track {

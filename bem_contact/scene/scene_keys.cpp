@@ -217,6 +217,10 @@ void settle(SceneFile& f, const Schema& s, const SceneKeysAsRead& read) {
   apply_state(f, s);
   set_network(f, s);
   f.wheel.reading.tape_circle = f.position.tape_circle;
+  if (!f.rail.sections.empty())
+    f.rail.profile = f.rail.sections.front().profile;
+  if (f.changes_along() && !f.position.uneven.given()) // all sections have the same origin
+    f.rail.reading.keep_origin = true;
   for (SceneFile::Side* side : {&f.rail, &f.wheel})
     if (side->place == BodyPlace::absolute) {
       side->reading.keep_origin = true;

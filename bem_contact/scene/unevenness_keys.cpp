@@ -120,16 +120,79 @@ void check_joint(const SceneFile& f, const Schema& s) {
              fmt::format("Give a longer rail.joint.dip_length: slopes up to {:g} are solved.", steepest_dip));
 }
 
+void check_sections(const SceneFile& f, const Schema& s) {
+  const bool listed = !f.rail.sections.empty();
+  if (!listed && !names_slices(f.rail.profile))
+    return;
+  const char* sections = listed ? "rail.sections" : "rail.profile";
+  if (listed && s.has("rail.profile"))
+    s.refuse("rail.profile", "rail.sections is given too", "Give either of the two.");
+  for (std::size_t i = 0; i < f.rail.sections.size(); ++i) {
+    const SceneFile::Section& section = f.rail.sections[i];
+    const std::size_t lines = section.features.size() + section.without.size();
+    for (const double number : section.without)
+      if (number != std::round(number) || number < 1 || number > static_cast<double>(lines))
+        s.refuse("rail.sections",
+                 fmt::format("section {} is without feature {:g}, and it speaks of {} features", i + 1,
+                             number, lines),
+                 "Number the features from 1, in the order along the profile.");
+  }
+  for (const auto& [given, key] : {std::pair{f.wheel.flat.given(), "wheel.flat"},
+                                   {f.wheel.polygon.given(), "wheel.polygon"},
+                                   {f.rail.joint.given(), "rail.joint"}})
+    if (given)
+      s.refuse(sections, fmt::format("{} is given too", key),
+               "Give a round wheel; a joint may be one of the sections.");
+  if (f.solver.model == Model::simplified)
+    s.refuse(sections, "the simplified theory takes the rail as level along x",
+             "Choose solver.model = \"halfspace\" or \"tangent_plane\".");
+  if (f.motion.kind == MotionKind::shift && !f.motion.frictionless)
+    s.refuse(sections, "shifts are those of bodies that are the same along x",
+             "Choose motion.kind = \"steady\".");
+  if (f.solver.contact_motion != ContactMotion::linear)
+    s.refuse(sections, "solver.contact_motion places bodies that are the same along x",
+             "Leave out solver.contact_motion.");
+}
+
 } // namespace
+
+void add_rail_sections(Schema& s, SceneFile::Side& rail) {
+  s.add("rail.sections",
+        {[&rail] { rail.sections.clear(); },
+         [&rail] {
+           SceneFile::Section& section = rail.sections.emplace_back();
+           Schema row("section of a rail");
+           row.add("rail.sections.at", section.at, "Place of the section along the track, as position.along",
+                   {.unit = "mm", .at_least = -1e7, .at_most = 1e7, .needed = true});
+           row.add("rail.sections.profile", section.profile, "A standard or a profile file",
+                   {.needed = true});
+           row.add("rail.sections.features", section.features,
+                   "Arc lengths on the profile of the lines along which sections are joined, in the same "
+                   "order in all; none: found",
+                   {.unit = "mm", .at_least = -1e5, .at_most = 1e5});
+           row.add("rail.sections.without", section.without,
+                   "Numbers of those lines, from 1, that this section does not have; none: it has all");
+           row.add("rail.sections.kink", section.kink,
+                   "The surface has an edge across the track here: its slope along the track may jump");
+           return row;
+         },
+         "[{ at = 0, profile = \"60E1\" }, { at = 500, profile = \"worn.prr\" }, ...]"},
+        "Instead of rail.profile: sections of a rail that changes along the track, by rising place; all have "
+        "the same origin, and gauge and top are those of the first",
+        {.kinds = wheel_rail_alone, .commented_out = true});
+}
 
 void check_unevenness(const SceneFile& f, const Schema& s) {
   check_flat(f, s);
   check_polygon(f, s);
   check_joint(f, s);
-  const char* uneven = f.wheel.flat.given()      ? "wheel.flat"
-                       : f.wheel.polygon.given() ? "wheel.polygon"
-                       : f.rail.joint.given()    ? "rail.joint"
-                                                 : nullptr;
+  check_sections(f, s);
+  const char* uneven = f.wheel.flat.given()       ? "wheel.flat"
+                       : f.wheel.polygon.given()  ? "wheel.polygon"
+                       : f.rail.joint.given()     ? "rail.joint"
+                       : !f.rail.sections.empty() ? "rail.sections"
+                       : f.changes_along()        ? "rail.profile"
+                                                  : nullptr;
   if (!uneven)
     return;
   const auto refuse = [&](bool holds, const char* why, const char* what_to_do) {
@@ -137,7 +200,9 @@ void check_unevenness(const SceneFile& f, const Schema& s) {
       s.refuse(uneven, why, what_to_do);
   };
   refuse(f.solver.model == Model::fem || !f.rail.influence.empty() || !f.wheel.influence.empty(),
-         "the influence functions of model \"fem\" are those of a round wheel and of a rail without a joint",
+         "the influence functions of model \"fem\" are those of a round wheel and of a rail that is the same "
+         "along "
+         "the track",
          "Choose solver.model = \"halfspace\" or \"tangent_plane\", and leave out the influence files.");
   refuse(f.rail.roller_radius.has_value(), "on a roller rig wheel and roller are taken as round",
          "Leave out rail.roller_radius.");

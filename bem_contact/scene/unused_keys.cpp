@@ -112,8 +112,10 @@ std::vector<Cause> causes_of_bodies(const SceneFile& f) {
            f.wheel.structural == StructuralCompliance::removed,
        "no body's structural compliance is included"},
       {{"position.along"},
-       !f.position.uneven.given(),
-       "neither wheel.flat, wheel.polygon nor rail.joint is given: wheel and rail are the same everywhere"},
+       !f.changes_along(),
+       "neither wheel.flat, wheel.polygon, rail.joint nor rail.sections is given: wheel and rail are the "
+       "same "
+       "everywhere"},
       {{"track.superelevation", "track.base"},
        !f.wheelset.force,
        "an axle needs it, and wheelset.force is not given"},

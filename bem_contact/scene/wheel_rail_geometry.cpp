@@ -8,8 +8,10 @@
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/profile/worn/like_standard.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace bem_contact {
 
@@ -42,6 +44,35 @@ void require_roller_for_its_body(const SceneFile& scene) {
                      fmt::format("Give rail.roller_radius = {:g}, or a straight rail.", radius));
 }
 
+/// The profile of one of them; errors name it.
+ProfileCurve profile_of_section(const SceneFile& scene, std::size_t i) {
+  const SceneFile::Section& section = scene.rail.sections[i];
+  try {
+    return named_profile(section.profile, ProfileKind::rail, scene.folder, scene.rail.reading);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("Section {} of the rail, at {:g} mm: {}", i + 1, section.at, error.what()));
+  }
+}
+
+/// None of a rail that is the same along the track.
+std::vector<BodySection> sections_of(const SceneFile& scene) {
+  if (names_slices(scene.rail.profile))
+    return sections_of_slices(profile_file_name(scene.rail.profile, scene.folder).file, scene.rail.reading);
+  std::vector<BodySection> sections;
+  for (std::size_t i = 0; i < scene.rail.sections.size(); ++i) {
+    const SceneFile::Section& section = scene.rail.sections[i];
+    BodySection& out = sections.emplace_back(
+        BodySection{.at = section.at, .profile = profile_of_section(scene, i), .kink = section.kink});
+    auto has = section.features.begin();
+    for (std::size_t k = 1; k <= section.features.size() + section.without.size(); ++k)
+      out.features.push_back(std::ranges::count(section.without, static_cast<double>(k)) > 0 ||
+                                     has == section.features.end()
+                                 ? std::numeric_limits<double>::quiet_NaN()
+                                 : *has++);
+  }
+  return sections;
+}
+
 } // namespace
 
 RailInclination inclination_of_rail(const std::string& name, const ProfileCurve& rail) {
@@ -50,11 +81,14 @@ RailInclination inclination_of_rail(const std::string& name, const ProfileCurve&
 }
 
 WheelRailProfiles read_profiles(const SceneFile& scene) {
-  const ProfileCurve rail =
-      named_profile(scene.rail.profile, ProfileKind::rail, scene.folder, scene.rail.reading);
+  std::vector<BodySection> sections = sections_of(scene);
+  const ProfileCurve rail = !sections.empty() ? sections.front().profile
+                                              : named_profile(scene.rail.profile, ProfileKind::rail,
+                                                              scene.folder, scene.rail.reading);
   require_roller_for_its_body(scene);
   return {rail, named_profile(scene.wheel.profile, ProfileKind::wheel, scene.folder, scene.wheel.reading),
-          inclination_of_rail(scene.rail.profile, rail)};
+          inclination_of_rail(scene.rail.profile, rail),
+          sections.empty() ? nullptr : std::make_shared<const SectionedSurface>(std::move(sections))};
 }
 
 std::vector<ContactRow> WheelRailGeometry::rows(const GridPlan& plan) const {
@@ -75,7 +109,7 @@ std::vector<double> WheelRailGeometry::wheel_stations(const std::vector<ContactR
 
 std::vector<double> WheelRailGeometry::gap(const GridPlan& plan, const std::vector<ContactRow>& rows) const {
   // Without yaw even bodies are symmetric in x: half of the columns are computed.
-  const bool symmetric = pair.yaw == 0 && plan.x_centre == 0 && !pair.uneven;
+  const bool symmetric = pair.yaw == 0 && plan.x_centre == 0 && !pair.uneven && !pair.sections;
   const int computed = symmetric ? (plan.columns + 1) / 2 : plan.columns;
   std::vector<double> x = plan.grid().columns();
   x.resize(computed);

@@ -9,6 +9,7 @@
 #include "bem_contact/scene/scene_file.hpp"
 
 #include <future>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,8 @@ using RailInclination = std::shared_future<double>;
 struct WheelRailProfiles {
   TabulatedProfile rail, wheel;
   RailInclination rail_inclination; ///< that the rail's file has already
+  std::shared_ptr<const SectionedSurface> surface =
+      {}; ///< of [[rail.sections]], of which `rail` is the first
 };
 WheelRailProfiles read_profiles(const SceneFile& scene);
 RailInclination inclination_of_rail(const std::string& name, const ProfileCurve& rail);

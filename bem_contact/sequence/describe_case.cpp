@@ -147,7 +147,7 @@ void add_touch_points(const ContactSetup& setup, const ContactEstimate& estimate
 /// Of the rigid bodies at this displacement and at the flange; then the turn of the normal under the load.
 void add_conformity(const ContactCase& asked, std::vector<std::string>& lines) {
   const WheelOnRail& pair = asked.setup.wheel_rail()->pair;
-  if (pair.roller || pair.uneven)
+  if (pair.roller || pair.uneven || pair.sections)
     return;
   const WheelsetPosition& position = asked.scene.position;
   try {
@@ -297,7 +297,9 @@ SceneDescription describe_case(const ContactCase& asked) {
     add_touch_points(asked.setup, *asked.estimate, lines);
   if (asked.setup.wheel_rail())
     add_conformity(asked, lines);
-  lines.push_back(load_text(asked.setup.load));
+  const double upright = asked.setup.wheel_rail() ? asked.setup.wheel_rail()->pair.upright() : 1;
+  const ContactLoad& load = asked.setup.load;
+  lines.push_back(load_text({load.kind, load.force * upright, load.approach / upright}));
   if (scene.load.force_y)
     lines.push_back(lateral_force_text(*scene.load.force_y, scene.position.lateral));
   const FitOnStrips fit = fit_on_strips(asked);

@@ -107,8 +107,8 @@ constexpr Quantity known_quantities[] = {
      },
      Missing::possible},
     {"Fx_slope", newton,
-     "longitudinal force of the pressure on a rail that rises or falls along x, besides Fx; nan: no "
-     "rail.joint",
+     "longitudinal force of the pressure on a rail that rises or falls along x, besides Fx; nan: wheel and "
+     "rail are the same along x",
      [](const SceneResult& r) { return r.motion.slope_force.value_or(none); }, Missing::possible},
     {"pmax", megapascal, "largest pressure", of_totals<&ContactTotals::pmax>},
     {"area", square, "in contact", of_totals<&ContactTotals::area>},

@@ -145,6 +145,41 @@ TEST_F(FromContact, AWheelOnARail) {
   EXPECT_THAT(text_of(scene(1)), HasSubstr("load.force_x = 5000"));
 }
 
+/// A rail that changes along the track: the place S counts, and it is placed by the origin of its files.
+TEST_F(FromContact, ARailOfSections) {
+  write("rail.slcs",
+        "0 1\n2\n0\n1\n-200 '" CONFORMAL_SOURCE_DIR "/data/bodies/worn_rail.txt'\n300 '" CONFORMAL_SOURCE_DIR
+        "/data/bodies/worn_rail.txt'\n");
+  const std::string text = R"(
+ 1 MODULE
+ 1200100   C-P-B-T-N-F-S
+ 0022033   V-L-D-C-M-Z-E
+ 0101111   H-G-I-A-O-W-R
+ 0.3 0.3
+ 0.28 0.28 82000. 82000.
+ 0.8 0.8 1.0 90.0d 8.0 4.0        DX, DS, DQREL, A_SEP, D_SEP, D_COMB
+ -1. 750. 0. 0.025                GAUGHT, RAILY0, RAILZ0, CANT
+ 'rail.slcs' 0 1. 0. 0
+ 0. 0. 0.   0. 0. 0.              DY, DZ, DROLL, VY, VZ, VROLL
+ 1360. -70. 460.                  FBDIST, FBPOS, NOMRAD
+ ')" CONFORMAL_SOURCE_DIR R"(/data/bodies/hollow_wheel.txt' 0 1. 0. 0
+ 120. 2.0 80000. 0. 0. 0.         S, Y, FZ, ROLL, YAW, PITCH
+ 0 MODULE
+)";
+  const Outcome done = convert(text);
+  ASSERT_EQ(done.code, 0) << done.out << done.err;
+  for (const char* line :
+       {"rail.slcs\"", "position.along = 120", "rail.place = \"absolute\"", "rail.y = 750"})
+    EXPECT_THAT(text_of(scene(1)), HasSubstr(line));
+  EXPECT_EQ(run("check '" + scene(1) + "'").code, 0);
+
+  std::string by_gauge = text;
+  by_gauge.replace(by_gauge.find("-1. 750."), 8, "14. 0   ");
+  const Outcome refused = convert(by_gauge);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.out, HasSubstr("GAUGHT of a rail that changes along the track"));
+}
+
 /// What would be another problem has no scene, with the digit that says so; the other cases have.
 TEST_F(FromContact, SaysWhatHasNoCounterpart) {
   std::string approximate = spheres;

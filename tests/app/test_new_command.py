@@ -1,5 +1,6 @@
 """What `bem_contact new` writes: it is accepted without a warning, and each of its tables works as soon as its # is gone."""
 
+import csv
 import os
 import re
 import subprocess
@@ -63,6 +64,30 @@ class New(unittest.TestCase):
         both = self.new(*CURVE, "--inner-rail", "60E1", rail="lying.txt").read_text()
         self.assertRegex(both, r"(?m)^rail_inclination = 0 ")
         self.assertRegex(both, r"(?m)^left_rail.inclination = 0.025 ")
+
+    def test_a_crossing_by_its_angle(self):
+        """Plain rail, a wing that leads away, a nose: the wheel sinks between the two and rises again, and each place is certified."""
+        file = self.folder / "crossing.toml"
+        asked = ("new", "--crossing", 9, "--wheel", "S1002", "--rail", "60E1")
+        self.call(*asked, "-o", file)
+        self.assertIn("rail.sections", self.call("check", "--strict", file) + file.read_text())
+        text = re.sub(r"(?m)^position.along = .*", "position.along = [-430, -200, 0, 60, 120, 200, 300, 400]", file.read_text())
+        file.write_text(text)
+        self.call("sweep", file, "--csv", "passage.csv")
+        with open(self.folder / "passage.csv", newline="") as table:
+            rows = list(csv.DictReader(table))
+        self.assertEqual({row["status"] for row in rows}, {"certified"})
+        height = {float(row["position.along"]): float(row["vertical"]) - float(row["approach"]) for row in rows}
+        self.assertGreater(height[0], height[-200])
+        self.assertGreater(height[60], height[0])
+        self.assertGreater(height[120] - height[-430], 0.5)  # it has sunk
+        self.assertAlmostEqual(height[400], height[-430], delta=0.3)  # and stands on the nose as on the rail
+        slope = {float(row["position.along"]): float(row["Fx_slope"]) for row in rows}
+        self.assertGreater(slope[200], 500)  # the nose rises 4 mm in 270 mm and pushes against the wheel
+        for words, options in (("exists", ["-o", file]), ("needs a name", []), ("--curve", ["--curve", "300", "-o", "other.toml"]),
+                               ("--nose-width", ["--nose-width", "90", "-o", "other.toml"])):
+            self.assertIn(words, self.call(*asked, *options, code=2))
+        self.assertIn("--crossing", self.call("new", "--wheel", "S1002", "--rail", "60E1", "--flangeway", 50, code=2))
 
     def commented_tables(self, text):
         """The tables behind the #, by name."""

@@ -63,6 +63,25 @@ class OwnProfiles(unittest.TestCase):
             bem_contact.profile(bem_contact.Profile([0, 1], [0, 0], "rail"))
 
 
+class Sections(unittest.TestCase):
+    def test_that_are_all_equal_are_the_profile(self):
+        rail = bem_contact.Profile(*points("60E1"), kind="rail")
+        one = bem_contact.solve(SCENE, {"rail.profile": rail})
+        for features in (None, [[0, 60, 9999]] * 3):
+            sections = bem_contact.Sections([0, 40, 100], [rail] * 3, features)
+            r = bem_contact.solve({**SCENE, "position": {**SCENE["position"], "along": 55.0}}, {"rail.profile": sections})
+            self.assertAlmostEqual(r.pmax / one.pmax, 1, delta=1e-6)
+            self.assertAlmostEqual(r.vertical, one.vertical, delta=1e-6)
+
+    def test_refuse_what_makes_no_rail(self):
+        rail = bem_contact.Profile(*points("60E1"), kind="rail")
+        for arguments, words in ((([0], [rail, rail]), "1 places, 2 profiles"), (([0, 1], [rail, rail], [[0, 1], [0]]), "more than others")):
+            with self.assertRaisesRegex(bem_contact.InputError, words):
+                bem_contact.Sections(*arguments)
+        with self.assertRaisesRegex(bem_contact.InputError, "rising place"):
+            bem_contact.solve(SCENE, {"rail.profile": bem_contact.Sections([1, 0], [rail, rail])})
+
+
 class Stub(unittest.TestCase):
     def test_a_profile_is_no_abstract_class(self):
         tree = ast.parse((ROOT / "bem_contact" / "python" / "bem_contact" / "__init__.pyi").read_text())

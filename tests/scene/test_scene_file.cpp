@@ -259,6 +259,34 @@ TEST(SceneFile, uneven_wheels_and_rails) {
               HasSubstr("both wheels as round"));
 }
 
+TEST(SceneFile, rails_of_sections) {
+  const std::string own = "wheel.profile = 'S1002'\nload.force = 1e5\n",
+                    two = own +
+                          "rail.sections = [ { at = 0, profile = '60E1' }, { at = 90, profile = '54E1', "
+                          "features = [1, 2], without = [2] } ]\n";
+  const SceneFile f = parse_scene_file(two + "position.along = 12\n");
+  ASSERT_EQ(f.rail.sections.size(), 2u);
+  EXPECT_EQ(f.rail.sections[1].at, 90);
+  EXPECT_EQ(f.rail.sections[1].features, (std::vector<double>{1, 2}));
+  EXPECT_EQ(f.rail.sections[1].without, (std::vector<double>{2}));
+  EXPECT_TRUE(f.rail.reading.keep_origin);
+  EXPECT_TRUE(f.changes_along());
+  EXPECT_THAT(f.unused, IsEmpty());
+  EXPECT_THAT(refusal(two + "rail.profile = '60E1'\n"), HasSubstr("rail.sections is given too"));
+  EXPECT_THAT(refusal(two + "wheel.flat.length = 40\n"), HasSubstr("wheel.flat is given too"));
+  EXPECT_THAT(refusal(two + "rail.roller_radius = 500\n"),
+              AllOf(HasSubstr("rail.sections ("), HasSubstr("on a roller rig")));
+  EXPECT_THAT(refusal(two + "motion = { kind = 'transient', steps = 3 }\n"),
+              HasSubstr("sweep position.along"));
+  EXPECT_THAT(refusal(two + "wheel.influence = 'b.h5'\n"), HasSubstr("the same along the track"));
+  EXPECT_THAT(refusal(two + "solver.model = 'simplified'\n"), HasSubstr("simplified theory"));
+  EXPECT_THAT(refusal(own + "rail.sections = [ { at = 0, profile = '60E1', without = [3] } ]\n"),
+              HasSubstr("section 1 is without feature 3"));
+  EXPECT_THAT(refusal(own + "rail.sections = [ { at = 0 } ]\n"), HasSubstr("rail.sections.profile"));
+  EXPECT_THAT(refusal(own + "rail.profile = 'a.slcs'\nrail.joint.step = 1\n"),
+              HasSubstr("rail.profile = \"a.slcs\" (rail.joint is given too"));
+}
+
 TEST(SceneFile, keys_without_effect_are_said) {
   const auto unused = [](const std::string& text) {
     std::vector<std::string> texts;

@@ -1,4 +1,5 @@
 #include "bem_contact/app/command.hpp"
+#include "bem_contact/app/commands/new_crossing.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
@@ -29,7 +30,11 @@ constexpr const char* new_help =
 You should see that the wheelset stands 6.23 mm to the right in this curve to the left.
 `bem_contact study curve.toml -o curve` answers all that the file asks for; data/tutorial/study.md goes on from here.
 
-Without --curve the track is straight and the wheelset stands in its middle.)";
+Without --curve the track is straight and the wheelset stands in its middle.
+
+A wheel over a crossing, by its angle 1:9, without a drawing (data/tutorial/passage.md):
+    bem_contact new --crossing 9 --wheel S1002 --rail 60E1 -o crossing.toml
+    bem_contact sweep crossing.toml -o passage.h5)";
 
 /// 1. Share of the vertical force that guides a leading wheelset in a curve. Chosen: a bogie asks for 0.1 to
 /// 0.2.
@@ -48,6 +53,7 @@ struct NewScene {
   double speed = 15; ///< m/s
   double friction = 0.3;
   std::optional<double> superelevation, force_y, yaw; ///< mm, N, rad; empty: chosen
+  NewCrossing crossing;                               ///< with a number: this is asked for
 
   bool is_curve() const { return curve > 0; }
   double axle_force() const { return 2 * load; } ///< N
@@ -234,6 +240,16 @@ void require_curve(const NewScene& n) {
 }
 
 ExitCode run_new(const NewScene& asked) {
+  if (asked.crossing.number > 0) {
+    NewCrossing crossing = asked.crossing;
+    crossing.wheel = asked.wheel;
+    crossing.wheel_in_scene = name_in_scene(asked.wheel, asked.output);
+    crossing.rail = asked.rail;
+    crossing.output = asked.output;
+    crossing.load = asked.load;
+    crossing.friction = asked.friction;
+    return write_crossing(crossing);
+  }
   require_curve(asked);
   if (!asked.output.empty() && file_exists(asked.output))
     throw InputError(fmt::format("'{}' exists", asked.output), "what is in it would be lost",
@@ -247,6 +263,29 @@ ExitCode run_new(const NewScene& asked) {
   else
     write_text(asked.output, [&](std::ostream& out) { out << text; });
   return success;
+}
+
+/// They have no meaning beside those of a curve.
+void add_crossing_options(CLI::App& line, NewCrossing& crossing) {
+  CLI::Option* number =
+      line.add_option("--crossing", crossing.number,
+                      "N of a crossing's angle 1:N: a wing rail that leads away and a nose, as sections in a "
+                      "folder beside the scene")
+          ->check(CLI::Range(4.0, 40.0));
+  for (const char* other : {"--curve", "--inner-rail", "--superelevation", "--force-y", "--yaw", "--speed"})
+    number->excludes(line.get_option(other));
+  line.add_option("--flangeway", crossing.flangeway, "Of a crossing: gap between nose and wing, mm")
+      ->check(CLI::Range(30.0, 80.0))
+      ->needs(number)
+      ->capture_default_str();
+  line.add_option("--nose-width", crossing.nose_width, "Of a crossing: where the nose begins, mm")
+      ->check(CLI::Range(4.0, 39.0))
+      ->needs(number)
+      ->capture_default_str();
+  line.add_option("--nose-drop", crossing.nose_drop, "Of a crossing: how much lower the nose begins, mm")
+      ->check(CLI::Range(0.0, 15.0))
+      ->needs(number)
+      ->capture_default_str();
 }
 
 } // namespace
@@ -282,6 +321,7 @@ Command add_new(CLI::App& program) {
                    "Yaw of the wheelset, front to the right, rad (default in a curve 0.003)")
       ->check(CLI::Range(-0.1, 0.1));
   add_output_option(*line, "-o,--output", asked->output, "The scene file; without it, standard output");
+  add_crossing_options(*line, asked->crossing);
   line->footer(new_help);
   return {line, [asked] { return run_new(*asked); }};
 }

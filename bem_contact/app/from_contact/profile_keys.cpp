@@ -65,9 +65,8 @@ bool ProfileKeys::mirror() const {
 }
 
 void ProfileKeys::add(ContactCase& out) const {
-  if (const std::string ending = lower_ending(file_); ending == ".slcs" || ending == ".slcw")
-    return out.refuse(fmt::format("'{}': a profile that changes {}", given_.text,
-                                  body_ == "rail" ? "along the track" : "round the wheel"));
+  if (lower_ending(file_) == ".slcw")
+    return out.refuse(fmt::format("'{}': a profile that changes round the wheel", given_.text));
   out.set_text(body_ + ".profile", file_.generic_string());
   if (mirror())
     out.set(body_ + ".mirror", "true");
@@ -138,6 +137,10 @@ std::optional<GaugePoint> ProfileKeys::gauge_point(double cant, double height, C
 
 bool ProfileKeys::keeps_origin() const {
   return given_["MIRRORY"] != 0 || is_simpack();
+}
+
+bool ProfileKeys::changes_along() const {
+  return lower_ending(file_) == ".slcs";
 }
 
 } // namespace bem_contact::app::from_contact

@@ -88,6 +88,9 @@ void add_rail_place(const CaseState& state, const ProfileKeys& rail, ContactCase
   const bool by_gauge = t["GAUGHT"] > 0;
   if (by_gauge && t["GAUGSQ"] > 1)
     out.refuse(fmt::format("GAUGSQ = {}: the gauge point is the innermost one here", t["GAUGSQ"]));
+  if (by_gauge && rail.changes_along())
+    return out.refuse(
+        "GAUGHT of a rail that changes along the track: give RAILY0 and RAILZ0 with GAUGHT = -1");
   const std::optional<GaugePoint> gauge =
       by_gauge ? rail.gauge_point(t.number("CANT", 0), t["GAUGHT"], out) : std::nullopt;
   if (by_gauge && !gauge)
@@ -193,12 +196,14 @@ void add_wheel_rail_keys(const CaseState& state, const std::filesystem::path& fo
       wheel(state[Data::wheel_profile], folder, "wheel");
   rail.add(out);
   wheel.add(out);
-  if (!out.refused.empty()) // a profile along the track or round the wheel has no height to be read
+  if (!out.refused.empty()) // a profile round the wheel has no height to be read
     return;
   add_elements(state, out);
   add_track(state, rail, out);
   add_wheelset(state, out);
   add_pose(state, out);
+  if (rail.changes_along())
+    out.set("position.along", state[Data::position]["S"]);
   add_velocity(state, out);
   leave_out_zeros(out);
 }

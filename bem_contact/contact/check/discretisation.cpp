@@ -40,7 +40,7 @@ ForceSums sum_up(const ContactProblem& problem, const ContactResult& result, dou
       sums.normal.mz -= x * fn * sine;
       sums.shear.fx += fx;
       sums.shear.fy += fs * cosine;
-      sums.shear.fz += fs * sine;
+      sums.shear.fz += fs * sine + fx * problem.rise;
       sums.shear.mz += x * fs * cosine - row.position.y * fx;
       sums.shear.fs += fs;
       sums.shear.moment += (x - x_at) * fs - (row.s - s_at) * fx;

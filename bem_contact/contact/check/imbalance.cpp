@@ -31,7 +31,8 @@ double vertical_imbalance(const ContactProblem& problem, const ContactResult& re
   for (int is = 0; is < problem.grid.ms; ++is) {
     const double cosine = std::cos(problem.rows[is].delta), sine = std::sin(problem.rows[is].delta);
     for (int i = is * problem.grid.mx; i < (is + 1) * problem.grid.mx; ++i)
-      force += (result.pn[i] * cosine + result.ps[i] * sine) * problem.element_area();
+      force += (result.pn[i] * cosine + result.ps[i] * sine + result.px[i] * problem.rise) *
+               problem.element_area();
   }
   const double missing = std::abs(force - problem.force);
   return problem.force > 0 ? missing / problem.force : missing;

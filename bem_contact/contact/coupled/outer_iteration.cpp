@@ -92,7 +92,8 @@ CoupledSystem::CoupledSystem(const ContactProblem& the_problem, ContactOperators
   if (!problem.has_friction())
     return;
   shear.emplace(problem, operators, work);
-  const double friction = problem.largest_friction(), steepest = sine.cwiseAbs().maxCoeff(),
+  const double friction = problem.largest_friction(),
+               steepest = std::max(sine.cwiseAbs().maxCoeff(), std::abs(problem.rise)),
                flattest = normal.cosine.minCoeff();
   by_numbers = shear->coupling && shear_moves_normal(problem.numbers, negligible / friction);
   if (problem.load != LoadKind::force)
@@ -102,7 +103,9 @@ CoupledSystem::CoupledSystem(const ContactProblem& the_problem, ContactOperators
 }
 
 double CoupledSystem::shear_force(const VectorXd& shear_tractions) const {
-  return sine.dot(shear_tractions.tail(sine.size())) * problem.element_area();
+  const Eigen::Index n = sine.size();
+  return (sine.dot(shear_tractions.tail(n)) + problem.rise * shear_tractions.head(n).sum()) *
+         problem.element_area();
 }
 
 VectorXd former_slip(const ContactProblem& problem, const Shear& shear, WorkBudget& work) {

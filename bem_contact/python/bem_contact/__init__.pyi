@@ -141,6 +141,17 @@ class Profile(PathLike[str]):
     def __init__(self, y: _List[float] | NDArray[Any], z: _List[float] | NDArray[Any], kind: Literal["rail", "wheel"]) -> None: ...
     def __fspath__(self) -> str: ...
 
+class Sections(PathLike[str]):
+    """A rail whose section changes along the track, for wherever `rail.profile` goes."""
+
+    def __init__(
+        self,
+        at: _List[float] | NDArray[Any],
+        profiles: _List[str | PathLike[str]],
+        features: _List[_List[float]] | None = None,
+    ) -> None: ...
+    def __fspath__(self) -> str: ...
+
 def standards() -> list[dict[str, Any]]:
     """All profiles of standards that are built in: "name", "kind", "part", "standard", "other_names", "remark" of each."""
 

@@ -13,7 +13,8 @@ def _file(text, kind):
     global _folder
     if _folder is None or not path.isdir(_folder.name):
         _folder = tempfile.TemporaryDirectory(prefix="bem_contact_profiles_")
-    name = f"profile_{hashlib.sha256(text.encode()).hexdigest()[:12]}{'.whl' if kind == 'wheel' else '.ban'}"
+    ending = {"wheel": ".whl", "rail": ".ban", "sections": ".slcs"}[kind]
+    name = f"profile_{hashlib.sha256(text.encode()).hexdigest()[:12]}{ending}"
     file = path.join(_folder.name, name)
     if not path.exists(file):
         with open(file, "w", encoding="ascii") as out:
@@ -69,3 +70,40 @@ class Profile(PathLike):
 
     def __repr__(self):
         return f"<Profile of a {self.kind}, {path.basename(self._path)}>" if self._path else "<Profile without points>"
+
+
+class Sections(PathLike):
+    """A rail whose section changes along the track, for wherever `rail.profile` goes.
+
+        rail = bem_contact.Sections([0, 500], [Profile(y0, z0, "rail"), Profile(y1, z1, "rail")])
+        r = bem_contact.solve("scene.toml", {"rail.profile": rail, "position.along": 250})
+
+    `at`: places along the track, rising, mm. `profiles`: one for each, a Profile or a profile file, all with the same origin.
+    `features`: for each section the lengths along the chords of its points, from the first one (gauge side), at which the
+    feature lines lie, mm; below 0 where it does not have one. Without them what corresponds is found.
+
+    `fspath()` is a slices file (.slcs) that lasts until this process ends.
+    """
+
+    def __init__(self, at, profiles, features=None):
+        from ._core import InputError
+        at, profiles = [float(place) for place in at], list(profiles)
+        features = [[] for _ in at] if features is None else [[float(s) for s in of] for of in features]
+        if not len(at) == len(profiles) == len(features):
+            raise InputError(f"The sections of this rail cannot be used (there are {len(at)} places, {len(profiles)} profiles and {len(features)} lists "
+                             "of features) Give one of each for each section.")
+        if len({len(of) for of in features}) > 1:
+            raise InputError("The features of this rail cannot be used (each is a line through all sections, and some sections have more than others) "
+                             "Give each section as many, below 0 where it does not have one.")
+        names = [path.abspath(profile) for profile in profiles]
+        text = f"0 1\n{len(at)}\n{len(features[0]) if features else 0}\n1\n"
+        text += "".join(f"{u!r} '{name}'\n" for u, name in zip(at, names))
+        text += "".join(f"{u!r} {' '.join(map(repr, of))}\n" for u, of in zip(at, features) if len(of) > 1)
+        self._path = _file(text, "sections")
+        _plain_names[self._path] = f"the {len(at)} sections of a rail"
+
+    def __fspath__(self):
+        return self._path
+
+    def __str__(self):
+        return self._path

@@ -16,6 +16,7 @@
 #include "bem_contact/sequence/solution/grow_grid.hpp"
 #include "bem_contact/sequence/solution/layer_slope.hpp"
 #include "bem_contact/sequence/solution/structural_motion.hpp"
+#include "bem_contact/sequence/solution/track_frame.hpp"
 #include "bem_contact/sequence/solution/trim_plan.hpp"
 
 #include <algorithm>
@@ -88,26 +89,38 @@ void add_stresses(const SceneFile& scene, SceneResult& out) {
 double contact_radius(const WheelOnRail& pair, const ContactProblem& problem, const ContactResult& result) {
   double x = 0, pressed = 0;
   Point2 point{};
-  double lower = 0; // an uneven rail
   for (int i = 0; i < problem.grid.size(); ++i) {
-    if (pair.uneven)
-      lower += result.pn[i] * pair.rail_lower(problem.grid.x(i % problem.grid.mx));
-    x += result.pn[i] * problem.grid.x(i % problem.grid.mx);
-    point = point + result.pn[i] * problem.rows[i / problem.grid.mx].position;
+    if (!(result.pn[i] > 0))
+      continue;
+    const double at = problem.grid.x(i % problem.grid.mx);
+    ContactRow row = problem.rows[i / problem.grid.mx];
+    if (pair.uneven || pair.sections) {
+      const Vector3 p = pair.in_space(at, row);
+      row.position = {p[1], p[2]};
+    }
+    x += result.pn[i] * at;
+    point = point + result.pn[i] * row.position;
     pressed += result.pn[i];
   }
   if (!(pressed > 0))
     return 0;
   const Point2 mean = (1 / pressed) * point;
-  return pair.uneven ? radius_at(pair.wheel_frame(), {x / pressed, mean.y, mean.z + lower / pressed})
+  return pair.uneven ? radius_at(pair.wheel_frame(), {x / pressed, mean.y, mean.z})
                      : radius_at(pair, x / pressed, mean);
 }
 
 /// SceneMotion::slope_force, N: on a slope the normal of the rail leans back by it. The slope of an element
-/// is that between its ends.
+/// is that between its ends. Of a rail of sections as it is looked at (in_track_frame()).
 double slope_force(const WheelOnRail& pair, const ContactProblem& problem, const ContactResult& result) {
   const ContactGrid& grid = problem.grid;
   double force = 0;
+  if (pair.sections) {
+    for (int i = 0; i < grid.size(); ++i)
+      if (result.pn[i] > 0)
+        force -= result.pn[i] * problem.element_area() *
+                 pair.sections->slope(grid.x(i % grid.mx), problem.rows[i / grid.mx], grid.dx);
+    return force;
+  }
   for (int ix = 0; ix < grid.mx; ++ix) {
     double down = 0; // pressure along z
     for (int is = 0; is < grid.ms; ++is)
@@ -123,7 +136,7 @@ double slope_force(const WheelOnRail& pair, const ContactProblem& problem, const
 std::optional<Conformity> conformity_of_case(const ContactCase& asked) {
   const WheelRailGeometry& placed = *asked.setup.wheel_rail();
   const WheelsetPosition& position = asked.scene.position;
-  if (placed.pair.roller || placed.pair.uneven)
+  if (placed.pair.roller || placed.pair.uneven || placed.pair.sections)
     return std::nullopt;
   if (placed.pair.yaw == 0 && placed.pair.deviation.yaw == 0 && !placed.structure) { // it stands there
     Conformity out = conformity(placed.pair, placed.touch.front(), position.gauge_height);
@@ -181,7 +194,7 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
     out.motion.rolling = rolling_speed(placed->pair, out.motion.reference, asked.setup.motion.creepage);
     out.motion.contact_radius = contact_radius(placed->pair, out.problem, out.result);
     out.motion.lowered = placed->lowered;
-    if (placed->pair.uneven)
+    if (placed->pair.uneven || placed->pair.sections) // 0 where the wheel alone is uneven
       out.motion.slope_force = slope_force(placed->pair, out.problem, out.result);
     out.bodies.rail_geometry = placed->pair.rail.digest();
     out.bodies.wheel_geometry = placed->pair.wheel.digest();
@@ -196,6 +209,8 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   warn_of_discretisation(out.result, out.warnings);
   out.warnings.add(result_warnings(asked, out));
   add_stresses(asked.scene, out);
+  if (const WheelRailGeometry* placed = asked.setup.wheel_rail(); placed && placed->pair.sections)
+    in_track_frame(placed->pair, out);
   return out;
 }
 

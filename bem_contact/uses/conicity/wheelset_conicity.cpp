@@ -133,7 +133,7 @@ WheelsetOnTrack wheelset_of(const SceneFile& scene, const LeftProfiles& left) {
   if (scene.kind != SceneKind::wheel_rail)
     throw InputError("This scene has no wheelset", "its kind is \"patch\"",
                      "Give a scene with kind = \"wheel_rail\".");
-  if (scene.position.uneven.given())
+  if (scene.changes_along())
     refuse_uneven(
         "There is no conicity of an uneven wheel or rail",
         "a wheelset steers by the mean of many turns, and a flat, a polygon or a joint is at one place");

@@ -217,7 +217,7 @@ void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& 
           "The cases of [sweep] are wheelsets, of which [wear] has no collective",
           "one pair of profiles wears under the loads of one wheel, and [wheelset] is given",
           "Leave out [sweep] for what one wheelset wears away, or give load.force instead of [wheelset].");
-    if (scene.position.uneven.given())
+    if (scene.changes_along())
       refuse_uneven("An uneven wheel or rail cannot wear",
                     "profiles that wear are the same all round the wheel and all along the rail");
     if (!(scene.rail == first.rail) || !(scene.wheel == first.wheel))

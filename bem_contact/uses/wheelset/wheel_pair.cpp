@@ -83,10 +83,6 @@ constexpr double accuracy_reserve = 0.8;
 /// the smaller ones for both then cost about twice the elements at most.
 constexpr double alike_elements = 1.5;
 
-double dot(const Vector3& a, const Vector3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 struct Elements {
   double dx = 0, ds = 0; ///< mm
 };

@@ -1,0 +1,190 @@
+#include "bem_contact/geometry/sectioned_rail.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/geometry/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+namespace bem_contact {
+
+namespace {
+
+/// 1. Newton steps to a point of the surface: bounds. Four are usual.
+constexpr int surface_steps = 20;
+/// mm. Where they end: a digit above rounding.
+constexpr double surface_tolerance = 1e-12;
+/// mm. A step that is longer is cut: the surface turns over lengths like this.
+constexpr double longest_surface_step = 5.0;
+/// mm. A node this near to the one before it has no direction.
+constexpr double same_point = 1e-6;
+/// mm. What lies beyond the end of a section by less is its end: rounding.
+constexpr double at_the_end = 1e-7;
+
+/// y and z of it.
+Point2 plane_part(const Vector3& v) {
+  return {v[1], v[2]};
+}
+
+/// A cubic Hermite piece whose parameter is t.
+CurvePiece hermite_piece(Point2 a, Point2 from, Point2 b, Point2 to, double length) {
+  if (norm(from) < same_point)
+    from = (1 / length) * (b - a);
+  if (norm(to) < same_point)
+    to = (1 / length) * (b - a);
+  const Point2 secant = (1 / length) * (b - a);
+  const Point2 second = (1 / length) * (3 * secant - 2 * from - to),
+               third = (1 / (length * length)) * (from + to - 2 * secant);
+  const double y[] = {a.y, from.y, second.y, third.y}, z[] = {a.z, from.z, second.z, third.z};
+  return polynomial_piece(y, z, length);
+}
+
+} // namespace
+
+SectionedRail::SectionedRail(std::shared_ptr<const SectionedSurface> surface, const Pose& pose, double along)
+    : surface_(std::move(surface)), pose_(pose), along_(along) {
+  if (along < surface_->from() || along > surface_->to())
+    throw InputError(
+        fmt::format("The wheel stands off the rail's sections (position.along is {:g} mm)", along),
+        fmt::format("they are given from {:g} to {:g} mm", surface_->from(), surface_->to()),
+        "Give a place between the first and the last section, or more sections.");
+}
+
+SectionedRail::Seen SectionedRail::seen(const Place& at, int side) const {
+  const SectionedSurface::Point p = side == 0 ? surface_->at(at.u, at.t) : surface_->beside(at.u, at.t, side);
+  const Turn turn(pose_.angle);
+  const Point2 position = pose_.origin + turn(p.position), by_u = turn(p.by_u), by_t = turn(p.by_t);
+  return {frame_.seen_point({at.u - along_, position.y, position.z}), frame_.seen({1, by_u.y, by_u.z}),
+          frame_.seen({0, by_t.y, by_t.z})};
+}
+
+/// u of the point of this t in the plane across x through the frame's origin.
+std::optional<double> SectionedRail::u_across(double t) const {
+  double u = along_ + frame_.origin[0];
+  for (int i = 0; i < surface_steps; ++i) {
+    const Seen p = seen({u, t});
+    const double step = (frame_.origin[0] - p.position[0]) / p.by_u[0];
+    if (!std::isfinite(step))
+      return std::nullopt;
+    u += step;
+    if (std::abs(step) < surface_tolerance * (1 + std::abs(u)))
+      break;
+  }
+  const auto [from, to] = surface_->extent(u);
+  return t >= from - at_the_end && t <= to + at_the_end ? std::optional(u) : std::nullopt;
+}
+
+ProfileCurve SectionedRail::look_from(const RailFrame& frame) {
+  frame_ = frame;
+  s_.clear();
+  t_.clear();
+  u_.clear();
+  struct Node {
+    Point2 position, before, after;
+  };
+  std::vector<Node> nodes;
+  const Turn back(-pose_.angle);
+  const auto in_section = [&](const Seen& p) { // along the cut, by t
+    const double turned = -p.by_t[0] / p.by_u[0];
+    return back(plane_part(p.by_t) + turned * plane_part(p.by_u));
+  };
+  const auto [from, to] = surface_->extent(along_ + frame.origin[0]);
+  for (const double t : surface_->nodes()) {
+    if (t < from - at_the_end || t > to + at_the_end)
+      continue;
+    const auto u = u_across(t);
+    if (!u)
+      continue;
+    const Seen before = seen({*u, t}, -1), after = seen({*u, t}, 1);
+    const Point2 position = back(plane_part(after.position) - pose_.origin);
+    if (!nodes.empty() && norm(position - nodes.back().position) < same_point) {
+      nodes.back().after = in_section(after);
+      continue;
+    }
+    nodes.push_back({position, in_section(before), in_section(after)});
+    t_.push_back(t);
+    u_.push_back(*u);
+  }
+  if (nodes.size() < 3)
+    throw InputError("There is no rail under the wheel",
+                     fmt::format("at {:g} mm along the track its sections have no part in common",
+                                 along_ + frame.origin[0]),
+                     "Check the features of the sections.");
+  std::vector<CurvePiece> pieces;
+  for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
+    pieces.push_back(hermite_piece(nodes[k].position, nodes[k].after, nodes[k + 1].position,
+                                   nodes[k + 1].before, t_[k + 1] - t_[k]));
+  ProfileCurve out = ProfileCurve::from_pieces(fmt::format("rail at {:.6g} mm", along_ + frame.origin[0]),
+                                               std::move(pieces));
+  s_ = out.joints();
+  return out;
+}
+
+SectionedRail::Place SectionedRail::start(const ContactRow& row) const {
+  const auto after = std::ranges::upper_bound(s_, row.s);
+  const auto k = std::clamp<std::ptrdiff_t>(after - s_.begin() - 1, 0, std::ssize(s_) - 2);
+  const double share = std::clamp((row.s - s_[k]) / (s_[k + 1] - s_[k]), 0.0, 1.0);
+  return {u_[k] + share * (u_[k + 1] - u_[k]), t_[k] + share * (t_[k + 1] - t_[k])};
+}
+
+/// Newton's method in (u, t), for the point on the normal of the row.
+std::optional<SectionedRail::Place> SectionedRail::found(double x, const ContactRow& row) const {
+  const Point2 tangent = tangent_of(row.delta);
+  Place at = start(row);
+  at.u += x - frame_.origin[0];
+  for (int i = 0; i < surface_steps; ++i) {
+    const Seen p = seen(at);
+    const double off_x = x - p.position[0], off_s = dot(row.position - plane_part(p.position), tangent);
+    const double a = p.by_u[0], b = p.by_t[0], c = dot(plane_part(p.by_u), tangent),
+                 d = dot(plane_part(p.by_t), tangent);
+    const double determinant = a * d - b * c;
+    double du = (off_x * d - b * off_s) / determinant, dt = (a * off_s - c * off_x) / determinant;
+    if (!std::isfinite(du) || !std::isfinite(dt))
+      return std::nullopt;
+    const double longest = std::max(std::abs(dt), std::abs(off_x) > longest_surface_step ? 0 : std::abs(du));
+    if (longest > longest_surface_step)
+      du *= longest_surface_step / longest, dt *= longest_surface_step / longest;
+    at.u += du;
+    at.t += dt;
+    if (std::abs(du) + std::abs(dt) < surface_tolerance * (1 + std::abs(at.u))) {
+      const auto [from, to] = surface_->extent(at.u);
+      return at.t >= from - at_the_end && at.t <= to + at_the_end ? std::optional(at) : std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<double> SectionedRail::depth(double x, const ContactRow& row) const {
+  const auto at = found(x, row);
+  if (!at)
+    return std::nullopt;
+  const double deep = dot(plane_part(seen(*at).position) - row.position, normal_of(row.delta));
+  return std::abs(deep) < farthest_row ? std::optional(deep) : std::nullopt;
+}
+
+double SectionedRail::slope(double x, const ContactRow& row, double length) const {
+  const auto before = depth(x - 0.5 * length, row), after = depth(x + 0.5 * length, row);
+  return before && after ? (*after - *before) / length : 0;
+}
+
+Vector3 SectionedRail::point(double x, const ContactRow& row) const {
+  const Point2 p = row.position + depth(x, row).value_or(0) * normal_of(row.delta);
+  return {x, p.y, p.z};
+}
+
+SectionedRail::Direction SectionedRail::direction(double x, const ContactRow& row) const {
+  const auto at = found(x, row);
+  const Seen p = seen(at ? *at : start(row));
+  Vector3 normal = frame_.in_track(cross(p.by_u, p.by_t)); // into the rail: x times s
+  const double length = std::sqrt(dot(normal, normal));
+  if (!(length > 0))
+    return {};
+  for (double& component : normal)
+    component /= length;
+  return {{1 - normal[0] * normal[0], -normal[0] * normal[1], -normal[0] * normal[2]},
+          -normal[0] / normal[2]};
+}
+
+} // namespace bem_contact

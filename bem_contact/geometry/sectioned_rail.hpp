@@ -1,0 +1,66 @@
+#pragma once
+
+#include "bem_contact/geometry/pose.hpp"
+#include "bem_contact/geometry/rail_frame.hpp"
+#include "bem_contact/profile/contact_row.hpp"
+#include "bem_contact/profile/sections/sectioned_surface.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace bem_contact {
+
+/// A rail whose section changes along the track, seen from a wheel.
+///
+/// It is looked at in a RailFrame whose x lies along its surface where the wheel touches it first. In that
+/// frame it is a prism, its section there, and a relief: how far along the prism's normals the true surface
+/// lies deeper. Near the contact the relief is small and of second order in x, so that rows, columns, the
+/// contact locus and the half-space are those of the prism, and distances are exact along its normals.
+class SectionedRail {
+public:
+  /// `along`: u of the wheelset's centre, mm; the pose is that of all sections.
+  SectionedRail(std::shared_ptr<const SectionedSurface> surface, const Pose& pose, double along);
+
+  /// The section across the frame's x, through its origin, in the frame of the pose; the view changes to
+  /// this frame.
+  ProfileCurve look_from(const RailFrame& frame);
+  const RailFrame& frame() const { return frame_; }
+
+  /// How much deeper than the prism the rail is along the normal of a row, mm, at x of the frame; nothing
+  /// where there is no rail.
+  std::optional<double> depth(double x, const ContactRow& row) const;
+  /// By what it grows along x over `length` about there, 1; 0 where there is no rail.
+  double slope(double x, const ContactRow& row, double length) const;
+  /// The same point of the rail, in the frame, mm; without a rail that of the prism.
+  Vector3 point(double x, const ContactRow& row) const;
+
+  /// Unit vector in the rail's surface over a point of the frame that lies ahead of it, track frame: the
+  /// rolling direction, projected. And by how much a wheel that rolls along it moves down, over V.
+  struct Direction {
+    Vector3 ahead{1, 0, 0};
+    double sinking = 0;
+  };
+  Direction direction(double x, const ContactRow& row) const;
+
+private:
+  struct Place {
+    double u, t;
+  };
+  /// A point of the surface in the frame, with its derivatives.
+  struct Seen {
+    Vector3 position, by_u, by_t;
+  };
+  Seen seen(const Place& at, int side = 0) const;
+  std::optional<Place> found(double x, const ContactRow& row) const;
+  std::optional<double> u_across(double t) const;
+  Place start(const ContactRow& row) const;
+
+  std::shared_ptr<const SectionedSurface> surface_;
+  Pose pose_;
+  double along_ = 0;
+  RailFrame frame_;
+  std::vector<double> s_, t_, u_; ///< of the nodes of the section
+};
+
+} // namespace bem_contact

@@ -1,0 +1,116 @@
+#include "bem_contact/profile/sections/section_checks.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/sections/correspondence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace bem_contact {
+
+namespace {
+
+/// 1. A section is taken as the mirror image of its neighbour where that fits so many times better.
+constexpr double mirrored_fits = 5;
+/// mm. Sections that differ by less from their neighbours are not looked at: rails are nearly symmetric.
+constexpr double looked_at = 1.0;
+
+std::string named(const std::vector<BodySection>& sections, std::size_t i) {
+  return fmt::format("Section {} ('{}' at {:g} mm)", i + 1, sections[i].profile.name(), sections[i].at);
+}
+
+void require_places(const std::vector<BodySection>& sections) {
+  for (std::size_t i = 1; i < sections.size(); ++i) {
+    if (sections[i].at == sections[i - 1].at)
+      throw InputError(fmt::format("{} is doubled", named(sections, i)),
+                       fmt::format("section {} is at the same place", i), "Leave one of them out.");
+    if (!(sections[i].at > sections[i - 1].at))
+      throw InputError(fmt::format("{} is out of order", named(sections, i)),
+                       fmt::format("section {} before it is at {:g} mm", i, sections[i - 1].at),
+                       "Give the sections by rising place.");
+  }
+}
+
+void require_features(const std::vector<BodySection>& sections) {
+  const std::size_t count = sections.front().features.size();
+  if (count == 1)
+    throw InputError(fmt::format("{} has one feature", named(sections, 0)),
+                     "a surface lies between two, and what is beyond the first and the last is left out",
+                     "Give the ends of the sections too.");
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    const auto& [at, profile, features, kink] = sections[i];
+    if (features.size() != count)
+      throw InputError(fmt::format("{} has {} features", named(sections, i), features.size()),
+                       fmt::format("section 1 has {}, and each is a line through all sections", count),
+                       "Give each section as many, nan where it does not have one.");
+    double before = profile.s_begin();
+    for (std::size_t k = 0; k < count; ++k) {
+      if (std::isnan(features[k]))
+        continue;
+      if (!(features[k] >= profile.s_begin() && features[k] <= profile.s_end()))
+        throw InputError(fmt::format("Feature {} of {} is off its profile", k + 1, named(sections, i)),
+                         fmt::format("it is at s = {:g} mm, and the profile goes from {:.6g} to {:.6g} mm",
+                                     features[k], profile.s_begin(), profile.s_end()),
+                         "Give arc lengths of the profile; bem_contact profile shows them.");
+      if (features[k] < before)
+        throw InputError(fmt::format("Features cross each other in {}", named(sections, i)),
+                         fmt::format("feature {} is at s = {:g} mm, and one before it at {:g} mm", k + 1,
+                                     features[k], before),
+                         "Give the features of all sections in the same order, along the profile.");
+      before = features[k];
+    }
+  }
+}
+
+void require_one_side(const std::vector<BodySection>& sections) {
+  for (std::size_t i = 1; i < sections.size(); ++i) {
+    const ProfileCurve &before = sections[i - 1].profile, &here = sections[i].profile;
+    const double apart = distance_of_profiles(before, here);
+    if (apart > looked_at && mirrored_fits * distance_of_profiles(before, mirrored(here)) < apart)
+      throw InputError(fmt::format("{} is the mirror image of its neighbour", named(sections, i)),
+                       "left and right exchanged it fits, and as it is it does not",
+                       "Give all sections from the same side of the track.");
+  }
+}
+
+} // namespace
+
+void require_sections(const std::vector<BodySection>& sections) {
+  if (sections.size() < 2)
+    throw InputError("A rail has one section", "a surface along the track needs two",
+                     "Give two sections or more, or rail.profile alone.");
+  require_places(sections);
+  require_features(sections);
+  require_one_side(sections);
+}
+
+std::vector<std::vector<char>> stretches_there(const std::vector<BodySection>& sections,
+                                               const CorrespondingPoints& points) {
+  std::vector<std::vector<char>> out;
+  for (std::size_t i = 0; i + 1 < sections.size(); ++i) {
+    const std::vector<char>& joined = points.joined[i];
+    std::vector<char> there;
+    int pieces = 0;
+    for (std::size_t k = 0; k + 1 < joined.size(); ++k) {
+      there.push_back(joined[k] && joined[k + 1] ? 1 : 0);
+      pieces += there.back() && (k == 0 || !there[k - 1]) ? 1 : 0;
+    }
+    if (pieces != 1)
+      throw InputError(
+          fmt::format("There is {} between {:g} mm and {:g} mm along the track",
+                      pieces == 0 ? "no rail" : "a hole in the rail", sections[i].at, sections[i + 1].at),
+          fmt::format("sections {} ('{}') and {} ('{}') have {} features next to each other in common", i + 1,
+                      sections[i].profile.name(), i + 2, sections[i + 1].profile.name(),
+                      pieces == 0 ? "no two" : "not all of the"),
+          "Features that only one of the two has must lie at one end of the profiles.");
+    out.push_back(std::move(there));
+  }
+  for (std::size_t k = 0; k + 1 < points.marks.front().size(); ++k)
+    if (std::ranges::none_of(points.marks, [&](const std::vector<double>& of) { return of[k + 1] > of[k]; }))
+      throw InputError(fmt::format("There is nothing between features {} and {}", k + 1, k + 2),
+                       "no section has both, at different places", "Leave one of them out.");
+  return out;
+}
+
+} // namespace bem_contact

@@ -1,0 +1,230 @@
+#include "bem_contact/profile/sections/slices_file.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
+#include "bem_contact/profile/formats/text_lines.hpp"
+#include "bem_contact/profile/read_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace bem_contact {
+
+namespace {
+
+/// 1. Most sections that a file may have. A bound.
+constexpr double most_slices = 100000;
+/// 1. Most features.
+constexpr double most_features = 1000;
+
+/// The words of a slices file, line by line. A group of values may go on in the next line; what follows them
+/// in their last line is a remark.
+class SliceLines {
+public:
+  explicit SliceLines(const std::filesystem::path& file)
+      : source_(file.string()), text_(read_text_file(source_, "slices file")), lines_(lines_of(text_)) {}
+
+  int line() const { return line_; }
+  [[noreturn]] void refuse(const std::string& why, const std::string& advice) const {
+    throw InputError(fmt::format("{}:{}: this is no slices file that can be used", source_, line_), why,
+                     advice);
+  }
+  /// Begins a group of values in the next line that has one.
+  void begin() {
+    words_.clear();
+    while (words_.empty())
+      words_ = next_line();
+    word_ = 0;
+  }
+  double number(const char* what) {
+    const std::string_view word = next_word(what);
+    const auto value = parse_number(word);
+    if (!value || !std::isfinite(*value))
+      refuse(fmt::format("'{}' stands where {} is expected", word, what), "Correct the line.");
+    return *value;
+  }
+  /// The same of one that may be missing in its line.
+  double number_or(double none) {
+    const auto value = word_ < words_.size() ? parse_number(words_[word_]) : std::nullopt;
+    word_ += value ? 1 : 0;
+    return value.value_or(none);
+  }
+  std::string text(const char* what) { return std::string(next_word(what)); }
+
+private:
+  std::string_view next_word(const char* what) {
+    while (word_ == words_.size()) {
+      if (next_ >= lines_.size())
+        refuse(fmt::format("the file ends where {} is expected", what), "Complete the file.");
+      words_ = next_line();
+      word_ = 0;
+    }
+    return words_[word_++];
+  }
+  std::vector<std::string_view> next_line() {
+    if (next_ >= lines_.size())
+      refuse("the file ends too early", "Complete the file.");
+    std::string_view line = lines_[next_++];
+    line_ = static_cast<int>(next_);
+    std::vector<std::string_view> words;
+    for (std::size_t i = 0; i < line.size();) {
+      const char c = line[i];
+      if (c == '%' || c == '!')
+        break;
+      if (c == ' ' || c == '\t' || c == ',' || c == '\r') {
+        ++i;
+        continue;
+      }
+      const bool quoted = c == '\'' || c == '"';
+      const std::size_t from = quoted ? i + 1 : i;
+      std::size_t to = quoted ? line.find(c, from) : line.find_first_of(" \t,\r%!", from);
+      if (to == std::string_view::npos)
+        to = line.size();
+      words.push_back(line.substr(from, to - from));
+      i = quoted ? to + 1 : to;
+    }
+    return words;
+  }
+
+  std::string source_, text_;
+  std::vector<std::string_view> lines_, words_;
+  std::size_t next_ = 0, word_ = 0;
+  int line_ = 0;
+};
+
+struct SlicesHeader {
+  double offset = 0, scale = 1;
+  int slices = 0, features = 0, kinks = 0, jumps = 0;
+};
+
+int whole_number(SliceLines& in, double value, double most, const char* what) {
+  if (value != std::round(value) || value < 0 || value > most)
+    in.refuse(fmt::format("{} is {:g}", what, value), "Give a whole number.");
+  return static_cast<int>(value);
+}
+
+SlicesHeader read_header(SliceLines& in) {
+  SlicesHeader out;
+  in.begin();
+  out.offset = in.number("the offset of the places");
+  out.scale = in.number("the scale of the places");
+  if (!(out.scale > 0))
+    in.refuse(fmt::format("the scale of the places is {:g}", out.scale), "Give mm for each unit, above 0.");
+  in.begin();
+  out.slices = whole_number(in, in.number("the number of sections"), most_slices, "the number of sections");
+  in.begin();
+  out.features =
+      whole_number(in, in.number("the number of features"), most_features, "the number of features");
+  out.kinks = whole_number(in, in.number_or(0), most_features, "the number of kinks");
+  out.jumps = whole_number(in, in.number_or(0), most_features, "the number of jumps of the curvature");
+  in.begin();
+  const double way = in.number("the way of interpolation");
+  if (way != 1)
+    in.refuse(way == 2 ? "2 asks for a smoothing approximation between the sections, whose rule is not "
+                         "published"
+                       : fmt::format("{:g} is no way of interpolation", way),
+              "Give 1: the surface goes through the sections.");
+  if (in.number_or(0) != 0)
+    in.refuse("perturbations of the surface are not known here", "Give 0, or leave the number out.");
+  return out;
+}
+
+/// Where the lengths along the chords of a profile's points lie on its curve.
+class ChordLength {
+public:
+  explicit ChordLength(const ProfileCurve& curve) : s_(curve.joints()) {
+    for (const double s : s_) {
+      const Point2 p = curve.at(s).position;
+      chord_.push_back(chord_.empty() ? 0.0 : chord_.back() + norm(p - last_));
+      last_ = p;
+    }
+  }
+  double arc_length(double chord) const {
+    const auto after = std::ranges::upper_bound(chord_, chord);
+    if (after == chord_.end())
+      return s_.back();
+    if (after == chord_.begin())
+      return s_.front();
+    const auto k = after - chord_.begin() - 1;
+    return s_[k] + (chord - chord_[k]) / (chord_[k + 1] - chord_[k]) * (s_[k + 1] - s_[k]);
+  }
+
+private:
+  std::vector<double> s_, chord_;
+  Point2 last_{};
+};
+
+/// Errors name the line of the slices file.
+ProfileCurve profile_of(const std::filesystem::path& file, const Slice& slice,
+                        const ProfileReading& reading) {
+  try {
+    return named_profile(slice.profile.string(), ProfileKind::rail, {}, reading);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}:{}: {}", file.string(), slice.line, error.what()));
+  }
+}
+
+} // namespace
+
+bool names_slices(std::string_view name) {
+  return name.ends_with(".slcs") || name.ends_with(".slcw");
+}
+
+std::vector<Slice> read_slices(const std::filesystem::path& file) {
+  if (file.extension() == ".slcw")
+    throw InputError(fmt::format("{} gives the sections of a wheel", file.string()),
+                     "wheels are solved with one profile all round",
+                     "Give wheel.profile and wheel.flat or wheel.polygon.");
+  SliceLines in(file);
+  const SlicesHeader header = read_header(in);
+  std::vector<Slice> out;
+  for (int i = 0; i < header.slices; ++i) {
+    in.begin();
+    const double place = in.number("the place of a section");
+    const int line = in.line();
+    out.push_back({header.scale * (header.offset + place),
+                   file.parent_path() / in.text("the file of a section"),
+                   {},
+                   line});
+    if (i > 0 && !(out[i].at > out[i - 1].at))
+      in.refuse(fmt::format("section {} is at {:g} mm and the one before it at {:g} mm", i + 1, out[i].at,
+                            out[i - 1].at),
+                "Give the sections by rising place.");
+  }
+  for (const int parts : {header.kinks, header.jumps})
+    if (parts > 0) {
+      in.begin();
+      for (int k = 0; k < parts; ++k)
+        whole_number(in, in.number("the number of a part"), most_features, "the number of a part");
+    }
+  for (int i = 0; i < header.slices && header.features > 1; ++i) {
+    in.begin();
+    const double at = header.scale * (header.offset + in.number("the place of a section"));
+    if (std::abs(at - out[i].at) > 1e-3)
+      in.refuse(fmt::format("the features of section {} are those of a place at {:g} mm", i + 1, at),
+                fmt::format("Give them for {:g} mm, in the order of the sections.", out[i].at));
+    for (int k = 0; k < header.features; ++k) {
+      const double s = in.number("a feature");
+      out[i].features.push_back(s < 0 ? std::numeric_limits<double>::quiet_NaN() : s);
+    }
+  }
+  return out;
+}
+
+std::vector<BodySection> sections_of_slices(const std::filesystem::path& file,
+                                            const ProfileReading& reading) {
+  std::vector<BodySection> out;
+  for (const Slice& slice : read_slices(file)) {
+    BodySection& section = out.emplace_back(BodySection{slice.at, profile_of(file, slice, reading)});
+    if (slice.features.empty())
+      continue;
+    const ChordLength lengths(section.profile);
+    for (const double chord : slice.features)
+      section.features.push_back(std::isnan(chord) ? chord : lengths.arc_length(chord));
+  }
+  return out;
+}
+
+} // namespace bem_contact
