@@ -256,6 +256,16 @@ TEST(Derivatives, AreRefusedWithAReason) {
   EXPECT_THAT(refusal("derivatives = ['lateral']\n"), HasSubstr("'lateral'"));
   EXPECT_THAT(refusal("derivatives = ['laod']\n"), HasSubstr("Did you mean \"load\"?"));
   EXPECT_THAT(refusal("derivatives = ['friction']\nmotion.frictionless = true\n"), HasSubstr("'friction'"));
+  try {
+    Sequence().solve(parse_scene_file(
+        by_load +
+        "wheel.profile = 'S1002'\nload.force = 1e4\nmotion.friction = 0.3\nsolver.model = 'halfspace'\n"
+        "rail.sections = [{ at = 0, profile = '60E1' }, { at = 300, profile = '54E1' }]\n"
+        "position.along = 100\n"));
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("changes along the track"));
+  }
 }
 
 TEST(Derivatives, OnTheTread) {

@@ -199,6 +199,9 @@ std::vector<InputDerivatives> derivatives_of(const ContactCase& asked, GridSolut
   if (const WheelRailGeometry* placed = asked.setup.wheel_rail(); placed && placed->structure)
     refuse("structural motion has moved the bodies with the solution",
            "Choose solver.structural_motion = \"linear\", or leave out derivatives.");
+  if (const WheelRailGeometry* placed = asked.setup.wheel_rail(); placed && placed->pair.sections)
+    refuse("the rail changes along the track, and its results are turned into the track's frame",
+           "Leave out derivatives, or give one section of the rail.");
   NumbersOfGrid pair(asked, solved.model, solved.contact, resources);
   InfluenceNumbers numbers = pair.take(solved.numbers);
   std::vector<InputDerivatives> out = DerivativesOfGrid(asked, solved, resources).with(numbers);
