@@ -71,9 +71,10 @@ std::vector<std::string> environment_with(const ChildWork& work) {
   std::vector<std::string> out;
   for (char** one = environ; *one; ++one)
     out.emplace_back(*one);
-  for (const auto& [name, value] : work.variables) {
-    std::erase_if(out, [&](const std::string& one) { return one.starts_with(name + "="); });
-    out.push_back(name + "=" + value);
+  for (const auto& variable : work.variables) {
+    const std::string begin = variable.first + "=";
+    std::erase_if(out, [&](const std::string& one) { return one.starts_with(begin); });
+    out.push_back(begin + variable.second);
   }
   return out;
 }
