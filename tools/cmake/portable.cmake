@@ -27,6 +27,7 @@ add_compile_options(-ffunction-sections -fdata-sections)
 add_link_options(-Wl,--gc-sections -Wl,--no-undefined)
 if(WIN32)
   add_link_options(-Wl,--stack,8388608) # bytes, as on Linux
+  add_link_options(-Wl,--wrap=mbrtowc -Wl,--undefined=__wrap_mbrtowc) # base/system/windows/mbrtowc.c
   add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:SHELL:-include ${CMAKE_CURRENT_LIST_DIR}/portable/plain_words.hpp>")
 else()
   # Linked into all: what the compiler's libstdc++ takes of a newer glibc. It comes last, so that these are asked for before.

@@ -1,6 +1,6 @@
 /* The standard library of mingw-w64 makes names of files of std::string by this function, and in the locale
- * "C" each byte would be a letter. Ours reads UTF-8, as path::string() writes it. Letters that take four
- * bytes are refused. */
+ * "C" each byte would be a letter. Ours reads UTF-8, as path::string() writes it; the linker puts it in the
+ * place of the other one (--wrap). Letters that take four bytes are refused. */
 #include <errno.h>
 #include <stddef.h>
 #include <wchar.h>
@@ -10,7 +10,7 @@ static size_t refuse(void) {
   return (size_t)-1;
 }
 
-size_t mbrtowc(wchar_t* to, const char* from, size_t size, mbstate_t* state) {
+size_t __wrap_mbrtowc(wchar_t* to, const char* from, size_t size, mbstate_t* state) {
   (void)state;
   if (!from)
     return 0;
