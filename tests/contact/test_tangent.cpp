@@ -159,6 +159,7 @@ TEST(Tangents, WithoutFriction) {
   EXPECT_GE(compare({}, {.frictionless = true}), 4);
 }
 TEST(Tangents, UnderAPrescribedApproach) {
+  NEEDS_NO_SANITIZER();
   EXPECT_GE(compare({}, {.by_approach = true}), 6);
 }
 TEST(Tangents, OfUnlikeMaterials) {
