@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/coupled/tangent_system.hpp"
 #include "bem_contact/contact/dissipation.hpp"
+#include "bem_contact/contact/eigen_fields.hpp"
 #include "bem_contact/contact/solve.hpp"
 #include "bem_contact/contact/totals.hpp"
 
@@ -18,16 +19,14 @@ namespace {
 
 using contact::ContactOperators;
 using contact::CoupledSystem;
+using contact::joined;
 using contact::LentNumbers;
 using contact::TangentLoad;
 using contact::TangentSystem;
 using contact::TangentTractions;
+using contact::vector_of;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
-
-VectorXd vector_of(const std::vector<double>& field) {
-  return VectorXd::Map(field.data(), static_cast<Eigen::Index>(field.size()));
-}
 
 /// Displacements of the tractions of a solution, by other influence numbers than it was solved with.
 struct HeldDisplacements {
@@ -41,18 +40,9 @@ struct HeldDisplacements {
     normal = system.normal.apply(pn, work);
     if (!system.shear)
       return;
-    VectorXd pt(2 * pn.size());
-    pt << vector_of(solved.px), vector_of(solved.ps);
-    step = system.shear->system.step(pt, work);
-    if (const contact::Coupling* coupling = system.shear->coupling) {
-      VectorXd from_shear(pn.size()), from_pressure(2 * pn.size());
-      coupling->normal_from_shear.apply({pt.data(), std::size_t(pt.size())},
-                                        {from_shear.data(), std::size_t(from_shear.size())});
-      coupling->shear_from_normal.apply_step({pn.data(), std::size_t(pn.size())},
-                                             {from_pressure.data(), std::size_t(from_pressure.size())});
-      normal += from_shear;
-      step += from_pressure;
-    }
+    const VectorXd pt = joined(solved.px, solved.ps);
+    normal += normal_displacement(*system.shear, pt);
+    step = system.shear->system.step(pt, work) + step_of_pressure(*system.shear, pn);
   }
 };
 

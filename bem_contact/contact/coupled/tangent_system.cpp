@@ -2,17 +2,17 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/coupled/settings.hpp"
+#include "bem_contact/contact/eigen_fields.hpp"
 #include "bem_contact/contact/normal/conjugate_gradients.hpp"
 #include "bem_contact/contact/normal/settings.hpp"
 #include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/slip_step.hpp"
+#include "bem_contact/contact/tangential/linear_solution.hpp"
 
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <span>
 #include <utility>
 
 namespace bem_contact::contact {
@@ -25,9 +25,6 @@ using Eigen::VectorXd;
 /// 1. Residual of the linear systems, over their right sides. Derivatives are compared within 1e-5 of the
 /// largest; sums over elements in which tractions cancel need more digits.
 constexpr double tangent_precision = 1e-11;
-/// Solutions in single precision, each of which takes off four digits or so of the residual. Chosen: far more
-/// than it takes.
-constexpr int most_corrections = 12;
 /// 1. Of the residual, after one of them. Single precision gives no more.
 constexpr double correction_precision = 1e-4;
 /// 1. Larger residuals, over the right side, are no rounding: the system is singular. Chosen.
@@ -35,16 +32,6 @@ constexpr double largest_tangent_residual = 1e-9;
 /// Directions of the feedback between pressure and shear. An outer iteration of the solution itself takes off
 /// a digit or two, and GCR is faster. Chosen.
 constexpr int most_directions = 60;
-
-std::span<const double> span_of(const VectorXd& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
-std::span<double> span_of(VectorXd& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
-VectorXd vector_of(const std::vector<double>& field) {
-  return VectorXd::Map(field.data(), static_cast<Eigen::Index>(field.size()));
-}
 
 [[noreturn]] void refuse() {
   throw ConvergenceError("The derivatives were not found",
@@ -81,9 +68,6 @@ TangentSystem::TangentSystem(const ContactProblem& problem, const ContactResult&
 void TangentSystem::prepare_shear(const ContactResult& solved) {
   const int n = problem_.grid.size();
   const double length = system_.shear->system.rule.length;
-  VectorXd p(2 * n), slip(2 * n);
-  p << vector_of(solved.px), vector_of(solved.ps);
-  slip << length * vector_of(solved.slip_x), length * vector_of(solved.slip_s);
   task_.bound = friction_ = VectorXd::Zero(n);
   for (int i = 0; i < n; ++i) {
     if (!(solved.pn[i] > 0))
@@ -95,7 +79,8 @@ void TangentSystem::prepare_shear(const ContactResult& solved) {
   }
   elements_.emplace(system_.shear->system, task_);
   matrix_.emplace(system_.shear->system, *elements_, work_);
-  const VectorXd here = elements_->gather(p), moving = elements_->gather(slip);
+  const VectorXd here = elements_->gather(joined(solved.px, solved.ps)),
+                 moving = length * elements_->gather(joined(solved.slip_x, solved.slip_s));
   linearisation_ = linearise(elements_->stiffness, elements_->bound, here, moving);
   along_ = VectorXd::Zero(here.size());
   slips_.assign(n, 0);
@@ -116,11 +101,8 @@ void TangentSystem::prepare_shear(const ContactResult& solved) {
       slips_of_unit_(2 * a + found_[k], k) =
           length *
           (found_[k] == component_x ? 1.0 : problem_.lateral_share(task_.contact[a] / problem_.grid.mx));
-    VectorXd right = slips_of_unit_.col(k);
-    for (std::size_t a = 0; a < task_.contact.size(); ++a)
-      right.segment<2>(2 * a) =
-          elements_->stiffness[a] * linearisation_.projection[a] * right.segment<2>(2 * a);
-    answers_to_unit_.col(k) = inverse_shear(right);
+    answers_to_unit_.col(k) =
+        inverse_shear(projected(linearisation_, slips_of_unit_.col(k), &elements_->stiffness));
   }
 }
 
@@ -147,53 +129,25 @@ VectorXd TangentSystem::inverse_normal(const VectorXd& right) {
   return out;
 }
 
-/// What pressure does to the slip of a step, mm; field of two components.
-VectorXd TangentSystem::coupled_step(const VectorXd& pn) const {
-  VectorXd step = VectorXd::Zero(2 * pn.size());
-  if (system_.shear->coupling)
-    system_.shear->coupling->shear_from_normal.apply_step(span_of(pn), span_of(step));
-  return step;
-}
-
-/// J^-1 right: solutions in single precision are corrected until double precision agrees.
+/// J^-1 right.
 VectorXd TangentSystem::inverse_shear(const VectorXd& right) {
-  VectorXd x = VectorXd::Zero(right.size()), product;
-  Linearisation asked = linearisation_;
-  asked.residual = -right;
-  TangentialState state;
-  const double enough = tangent_precision * right.norm();
-  double former = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < most_corrections; ++k) {
-    const double left = asked.residual.norm();
-    if (left <= enough || !(left < former))
-      break;
-    former = left;
-    const BorderedSolution step = matrix_->newton_step(asked, {}, correction_precision, work_, state);
-    if (!step.x.allFinite())
-      refuse();
-    x += step.x;
-    matrix_->step(x, product);
-    for (std::size_t a = 0; a < task_.contact.size(); ++a) {
-      const Vector2d here = x.segment<2>(2 * a);
-      asked.residual.segment<2>(2 * a) =
-          here - linearisation_.projection[a] * (here - elements_->stiffness[a] * product.segment<2>(2 * a)) -
-          right.segment<2>(2 * a);
-    }
-  }
-  if (!(asked.residual.norm() <= largest_tangent_residual * right.norm()))
+  auto out = linear_solution(
+      *matrix_, linearisation_, elements_->stiffness, right,
+      {.wanted = tangent_precision, .accepted = largest_tangent_residual, .correction = correction_precision},
+      work_);
+  if (!out)
     refuse();
-  return x;
+  return *std::move(out);
 }
 
 /// Shear under the pressure of `out`, and the creepages of prescribed shear forces.
 void TangentSystem::solve_shear(const TangentLoad& load, TangentTractions& out) {
-  const VectorXd drive = elements_->gather(load.drive - coupled_step(out.pn));
-  VectorXd right(drive.size());
+  VectorXd right =
+      projected(linearisation_, elements_->gather(load.drive - step_of_pressure(*system_.shear, out.pn)),
+                &elements_->stiffness);
   for (std::size_t a = 0; a < task_.contact.size(); ++a) {
     const int i = task_.contact[a];
-    right.segment<2>(2 * a) =
-        elements_->stiffness[a] * linearisation_.projection[a] * drive.segment<2>(2 * a) +
-        (load.bound[i] + friction_[i] * out.pn[i]) * along_.segment<2>(2 * a);
+    right.segment<2>(2 * a) += (load.bound[i] + friction_[i] * out.pn[i]) * along_.segment<2>(2 * a);
   }
   VectorXd p = inverse_shear(right);
   if (!found_.empty()) {
@@ -234,8 +188,7 @@ VectorXd TangentSystem::feedback_of(const TangentTractions& tangent) const {
   const Eigen::Index n = problem_.grid.size();
   VectorXd out = VectorXd::Zero(n + 1);
   if (system_.by_numbers) {
-    VectorXd all(n);
-    system_.shear->coupling->normal_from_shear.apply(span_of(tangent.pt), span_of(all));
+    const VectorXd all = normal_displacement(*system_.shear, tangent.pt);
     for (const int i : touching_)
       out[i] = all[i];
   }
@@ -286,11 +239,8 @@ TangentTractions TangentSystem::solve(const TangentLoad& load) {
 
 VectorXd TangentSystem::distance(const TangentTractions& tangent) const {
   VectorXd out = system_.normal.apply(tangent.pn, work_);
-  if (system_.shear && system_.shear->coupling) {
-    VectorXd from_shear(out.size());
-    system_.shear->coupling->normal_from_shear.apply(span_of(tangent.pt), span_of(from_shear));
-    out += from_shear;
-  }
+  if (system_.shear)
+    out += normal_displacement(*system_.shear, tangent.pt);
   return out - tangent.approach * system_.normal.cosine;
 }
 
@@ -300,7 +250,7 @@ VectorXd TangentSystem::slip(const TangentTractions& tangent) const {
     return out;
   VectorXd step;
   matrix_->step(elements_->gather(tangent.pt), step);
-  VectorXd moving = -elements_->gather(coupled_step(tangent.pn)) - step;
+  VectorXd moving = -elements_->gather(step_of_pressure(*system_.shear, tangent.pn)) - step;
   for (std::size_t k = 0; k < found_.size(); ++k)
     moving += tangent.creepage[found_[k]] * slips_of_unit_.col(static_cast<Eigen::Index>(k));
   elements_->write(moving, out);

@@ -71,7 +71,6 @@ private:
   Vector feedback_of(const TangentTractions& tangent) const;
   void solve_shear(const TangentLoad& load, TangentTractions& out);
   Vector inverse_shear(const Vector& right);
-  Vector coupled_step(const Vector& pn) const;
 
   const ContactProblem& problem_;
   WorkBudget& work_;
