@@ -86,10 +86,10 @@ struct SceneFile {
 
     bool operator==(const Position&) const = default;
   } position; ///< [position]
+  /// Whether the rail is given by its sections: [[rail.sections]], or a slices file.
+  bool has_sections() const { return !rail.sections.empty() || names_slices(rail.profile); }
   /// Whether wheel or rail are another at each place along the track.
-  bool changes_along() const {
-    return position.uneven.given() || !rail.sections.empty() || names_slices(rail.profile);
-  }
+  bool changes_along() const { return position.uneven.given() || has_sections(); }
 
   /// [track], wheel_rail: the curve that the wheelset runs through
   struct Track {

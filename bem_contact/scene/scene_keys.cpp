@@ -219,7 +219,7 @@ void settle(SceneFile& f, const Schema& s, const SceneKeysAsRead& read) {
   f.wheel.reading.tape_circle = f.position.tape_circle;
   if (!f.rail.sections.empty())
     f.rail.profile = f.rail.sections.front().profile;
-  if (f.changes_along() && !f.position.uneven.given()) // all sections have the same origin
+  if (f.has_sections()) // which all have the same origin
     f.rail.reading.keep_origin = true;
   for (SceneFile::Side* side : {&f.rail, &f.wheel})
     if (side->place == BodyPlace::absolute) {

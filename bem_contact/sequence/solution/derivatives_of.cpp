@@ -183,6 +183,9 @@ void require_derivatives(const SceneFile& scene) {
   if (scene.layer.slope)
     refuse("the layer is found for layer.slope",
            "Give the layer.compliance that was found (layer_compliance of the result).");
+  if (scene.has_sections())
+    refuse("the rail changes along the track, and its results are turned into the track's frame",
+           "Leave out derivatives, or give one section of the rail.");
   if (is_placed_by_contact(scene))
     refuse("solver.contact_motion = \"placed\" moves the bodies with the solution",
            "Choose solver.contact_motion = \"linear\", or leave out derivatives.");
@@ -199,9 +202,6 @@ std::vector<InputDerivatives> derivatives_of(const ContactCase& asked, GridSolut
   if (const WheelRailGeometry* placed = asked.setup.wheel_rail(); placed && placed->structure)
     refuse("structural motion has moved the bodies with the solution",
            "Choose solver.structural_motion = \"linear\", or leave out derivatives.");
-  if (const WheelRailGeometry* placed = asked.setup.wheel_rail(); placed && placed->pair.sections)
-    refuse("the rail changes along the track, and its results are turned into the track's frame",
-           "Leave out derivatives, or give one section of the rail.");
   NumbersOfGrid pair(asked, solved.model, solved.contact, resources);
   InfluenceNumbers numbers = pair.take(solved.numbers);
   std::vector<InputDerivatives> out = DerivativesOfGrid(asked, solved, resources).with(numbers);
