@@ -11,6 +11,7 @@ extern const char browser_conformal_small_toml[]; // embedded.S
 
 const char* browser_reply(const char* what, const char* question);
 const char* browser_body();
+void browser_hold(const char* name, const char* file);
 std::size_t browser_size();
 }
 
@@ -26,12 +27,16 @@ explore::Start start() {
           .changes = {{"solver.model", "halfspace"}}};
 }
 
+explore::Answers& answers() {
+  static explore::Answers all(start());
+  return all;
+}
+
 explore::Reply reply_to(std::string_view what, const std::string& question) {
-  static explore::Answers answers(start());
   if (what == "page")
     return {"text/html", explore::explore_page(start())};
   const auto* const one = std::ranges::find(explore::all_asked, what, &explore::Asked::name);
-  return (answers.*one->reply)(question);
+  return (answers().*one->reply)(question);
 }
 
 explore::Reply reply;
@@ -53,4 +58,9 @@ const char* browser_body() {
 
 std::size_t browser_size() {
   return bem_contact::reply.body.size();
+}
+
+/// From now on a scene may name this file of the worker's memory: an influence file in flat form.
+void browser_hold(const char* name, const char* file) {
+  bem_contact::answers().hold(name, file);
 }

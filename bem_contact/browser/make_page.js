@@ -1,17 +1,16 @@
 // Puts the folder of static files together, when it is built:
-//     node make_page.js SOLVER.js SOLVER.wasm WORKER.js LIBRARY FOLDER INFLUENCE_FILE ...
-// LIBRARY is the plotting library as pack_library.py packs it.
+//     node make_page.js SOLVER.js SOLVER.wasm LIBRARY FOLDER INFLUENCE_FILE ...
+// SOLVER.js is what emscripten makes with worker.js behind it, LIBRARY the plotting library as pack_library.py packs it.
 const fs = require("fs"), path = require("path"), zlib = require("zlib");
-const [solver, wasm, worker, library, folder, ...influence] = process.argv.slice(2);
+const [script, wasm, library, folder, ...influence] = process.argv.slice(2);
+const {createSolver, answerTo} = require(path.resolve(script));
 
-const packed = bytes => zlib.gzipSync(bytes, {level: 9}).toString("base64");
-const script = fs.readFileSync(solver, "utf8") + fs.readFileSync(worker, "utf8");
+const packed = file => zlib.gzipSync(fs.readFileSync(file), {level: 9}).toString("base64");
 
-require(path.resolve(solver))({wasmBinary: fs.readFileSync(wasm)}).then(it => {
-  it._browser_reply(it.stringToNewUTF8("page"), it.stringToNewUTF8(""));
-  const page = Buffer.from(it.HEAPU8.slice(it._browser_body(), it._browser_body() + it._browser_size())).toString();
+createSolver({wasmBinary: fs.readFileSync(wasm)}).then(it => {
+  const page = Buffer.from(answerTo(it, "page", "").body).toString();
   const data = '<script type="application/json" id="data">';
-  const parts = Object.entries({solver: packed(script), wasm: packed(fs.readFileSync(wasm))});
+  const parts = Object.entries({solver: packed(script), wasm: packed(wasm)});
   fs.mkdirSync(folder, {recursive: true});
   fs.writeFileSync(
       path.join(folder, "index.html"),

@@ -60,6 +60,22 @@ template <class Result, class Make> KeptRecord kept(Result result, const Make& m
   return {std::move(owner), std::move(record)};
 }
 
+/// What a command prints of it.
+Record printed(const SceneResult& r, const RecordParts& parts) {
+  return headed(result_format).append(record_of(r, parts));
+}
+Record printed(const WheelsetResult& r, const RecordParts& parts) {
+  return headed(wheelset_format).append(record_of(r, parts));
+}
+
+/// What a command keeps in a file.
+Record kept_in(const std::filesystem::path& file, const SceneResult& r, const GivenScene& given) {
+  return result_file(r, given, file);
+}
+Record kept_in(const std::filesystem::path& file, const WheelsetResult& r, const GivenScene& given) {
+  return headed(wheelset_format, given, file).append(record_of(r));
+}
+
 /// Both wheels, each as the page draws one.
 Record wheels_of(const WheelsetResult& r) {
   return {{"wheelset", record::numbers_of(wheelset_quantities(), false, r)},
@@ -134,18 +150,35 @@ Reply Answers::scene(const std::string& question) {
   });
 }
 
-/// Solved as the command does it, from nothing: the file is the command's.
-KeptRecord Answers::file_of(const Question& question) {
-  const GivenScene given = scenes_.given(question);
-  const std::filesystem::path file = given.text.folder / "explored.h5";
+/// Solved as the command does it, from nothing.
+template <class Make> KeptRecord Answers::as_by_the_command(const Question& question, const Make& make) {
   const SceneFile scene = scenes_.scene(question);
   const Stop stop = newest(question.window);
   if (scene.wheelset.force)
-    return kept(solve_both(scene, stop), [&](const WheelsetResult& r) {
-      return headed(wheelset_format, given, file).append(record_of(r));
-    });
+    return kept(solve_both(scene, stop), make);
   Sequence cold;
-  return kept(solve(question, cold, stop), [&](const SceneResult& r) { return result_file(r, given, file); });
+  return kept(solve(question, cold, stop), make);
+}
+
+KeptRecord Answers::file_of(const Question& question) {
+  const GivenScene given = scenes_.given(question);
+  const std::filesystem::path file = given.text.folder / "explored.h5";
+  return as_by_the_command(question, [&](const auto& r) { return kept_in(file, r, given); });
+}
+
+Reply Answers::printed_as(const std::string& question, const RecordParts& parts) {
+  return replied(question, [&](const Question& asked) {
+    const KeptRecord answer = as_by_the_command(asked, [&](const auto& r) { return printed(r, parts); });
+    return Reply{json_type, record::to_json(answer.record)};
+  });
+}
+
+Reply Answers::numbers(const std::string& question) {
+  return printed_as(question, {.fields = false});
+}
+
+Reply Answers::fields(const std::string& question) {
+  return printed_as(question, {.fields = true});
 }
 
 Reply Answers::result(const std::string& question) {

@@ -4,6 +4,7 @@
 #include "bem_contact/explore/computer.hpp"
 #include "bem_contact/explore/profile_remarks.hpp"
 #include "bem_contact/explore/server.hpp"
+#include "bem_contact/sequence/result_record.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/uses/wheelset/solve_wheelset.hpp"
 
@@ -35,6 +36,10 @@ public:
   /// The result of the scene, as JSON for the page (record/json.hpp); of a wheelset "wheels" has both, and
   /// "wheelset" its own numbers.
   Reply answer(const std::string& question);
+  /// The same for programs: what bem_contact solve --json prints, of a wheelset bem_contact wheelset --json.
+  Reply numbers(const std::string& question);
+  /// And what lies on the grid: coordinates, tractions ...
+  Reply fields(const std::string& question);
   /// The scene as a file.
   Reply scene(const std::string& question);
   /// The file of bem_contact solve -o, of a wheelset that of bem_contact wheelset -o.
@@ -52,6 +57,9 @@ public:
   /// Ends the computation. Replies as computing() does.
   Reply cancel(const std::string& question);
 
+  /// From now on a scene may name this file.
+  void hold(const std::string& name, const std::filesystem::path& file) { scenes_.hold(name, file); }
+
   /// Ends the solution that is under way, and answers nothing more.
   void end();
 
@@ -61,7 +69,9 @@ private:
   SceneResult solve(const Question& question, Sequence& sequence, const Stop& stop);
   WheelsetResult solve_both(const SceneFile& scene, const Stop& stop);
   record::Record remarks_on(const SceneFile& scene);
+  template <class Make> KeptRecord as_by_the_command(const Question& question, const Make& make);
   KeptRecord file_of(const Question& question);
+  Reply printed_as(const std::string& question, const RecordParts& parts);
   std::vector<NamedBody> named_bodies(const Question& question);
   Stop newest(const std::string& window);
   template <class Answer> Reply replied(const std::string& question, const Answer& answer);
@@ -82,7 +92,8 @@ struct Asked {
   Reply (Answers::*reply)(const std::string& question);
 };
 inline constexpr std::array all_asked{
-    Asked{"answer", &Answers::answer},       Asked{"scene", &Answers::scene},
+    Asked{"answer", &Answers::answer},       Asked{"numbers", &Answers::numbers},
+    Asked{"fields", &Answers::fields},       Asked{"scene", &Answers::scene},
     Asked{"result", &Answers::result},       Asked{"report", &Answers::report},
     Asked{"bodies", &Answers::bodies},       Asked{"compute", &Answers::compute},
     Asked{"computing", &Answers::computing}, Asked{"cancel", &Answers::cancel}};

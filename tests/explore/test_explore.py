@@ -133,7 +133,7 @@ class Requests(unittest.TestCase):
         import socket
         host, port = self.program.host.split(":")
         body = json.dumps({"text": SCENE}).encode()
-        head = f"POST {self.program.path}answer HTTP/1.1\r\nHost: {host}:{port}\r\nContent-Type: application/json\r\nContent-Length: {len(body)}\r\n"
+        head = f"POST {self.program.path}numbers HTTP/1.1\r\nHost: {host}:{port}\r\nContent-Type: application/json\r\nContent-Length: {len(body)}\r\n"
         with socket.create_connection((host, int(port)), timeout=60) as wire:
             wire.sendall(2 * (head.encode() + b"\r\n" + body))
             for byte in (head + "Connection: close\r\n\r\n").encode() + body:
@@ -142,7 +142,22 @@ class Requests(unittest.TestCase):
             while part := wire.recv(65536):
                 said += part
         self.assertEqual(said.count(b"HTTP/1.1 200 OK"), 3)
-        self.assertEqual(said.count(b'"certified":1'), 3)
+        self.assertEqual(said.count(b'"certified": true'), 3)
+
+    def test_numbers_are_those_that_solve_prints(self):
+        question = json.dumps({"text": SCENE, "changes": {"position.lateral": 2.5}})
+        said = {what: json.loads(self.program.request("POST", self.program.path + what, question, {"Content-Type": "application/json"})[1])
+                for what in ("numbers", "fields")}
+        with tempfile.TemporaryDirectory() as name:
+            scene = Path(name) / "scene.toml"
+            scene.write_text(SCENE.replace("lateral = 0.0", "lateral = 2.5"))
+            printed = json.loads(subprocess.run([os.environ["BEM_CONTACT"], "solve", scene, "--json"], capture_output=True, text=True).stdout)
+        timeless = {key: value for key, value in printed.items() if not isinstance(value, dict) or "seconds" not in value}
+        self.assertGreater(len(timeless), 5)
+        for key, value in timeless.items():
+            self.assertEqual(said["numbers"][key], value, key)
+        self.assertEqual(said["fields"]["quantities"]["pmax"], printed["quantities"]["pmax"])
+        self.assertEqual(max(map(max, said["fields"]["p_n"])), printed["quantities"]["pmax"])
 
     def test_a_thousand_requests(self):
         def ask(first):
