@@ -139,7 +139,19 @@ std::vector<std::string> derivative_names() {
   for (const Known& one : known)
     if (names.back() != one.name)
       names.emplace_back(one.name);
+  names.insert(names.end(), {std::string(rail_profile_input), std::string(wheel_profile_input)});
   return names;
+}
+
+std::vector<std::string> profile_inputs(const SceneFile& scene) {
+  std::vector<std::string> out;
+  for (const std::string_view name : {rail_profile_input, wheel_profile_input})
+    if (std::ranges::find(scene.derivatives, name) != scene.derivatives.end())
+      out.emplace_back(name);
+  if (!out.empty() && scene.kind == SceneKind::patch)
+    throw InputError(fmt::format("There are no derivatives with respect to '{}'", out.front()),
+                     "a patch has no profiles", "Leave it out of derivatives.");
+  return out;
 }
 
 std::vector<SceneNumber> derivative_inputs(SceneFile& scene) {

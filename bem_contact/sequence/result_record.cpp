@@ -266,8 +266,8 @@ Record record_of(const SceneResult& r, const RecordParts& parts) {
   out.add("conformity", conformity_of(r.conformity));
   out.add("structure", structure_of(r.structure));
   out.add("stresses", stresses_of(r.stresses));
-  if (!r.derivatives.empty())
-    out.add("derivatives", derivatives_of(r));
+  if (Record derivatives = derivatives_of(r); !derivatives.empty())
+    out.add("derivatives", std::move(derivatives));
   if (parts.quantities)
     out.add("extrapolated", extrapolated(r))
         .add("certificate", certificate_of(r.result.trust.certificate))

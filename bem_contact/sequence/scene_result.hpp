@@ -124,6 +124,7 @@ struct SceneResult {
   SceneBodies bodies;                        ///< as outputs show them
   std::optional<StressesBelow> stresses;     ///< where the scene asks for them
   std::vector<InputDerivatives> derivatives; ///< with respect to what the scene names
+  std::vector<ProfileDerivatives> profile_derivatives; ///< likewise
   std::optional<Conformity> conformity;      ///< wheel_rail: of the rigid bodies at this displacement
   std::optional<StructuralResult> structure; ///< fem with structural compliance of at least one body
   /// Says in words: the approach is the relative displacement of these points of the two bodies. Approaches
