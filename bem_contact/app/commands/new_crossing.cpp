@@ -96,7 +96,7 @@ private:
 };
 
 /// The rail's own gauge side with a round corner at the width of the nose, `lower` than the rail.
-void add_nose(CrossingSection& out, const Head& head, double width, double inner_line, double lower) {
+void add_nose(CrossingSection& out, const Head& head, double width, double inner, double lower) {
   const double r = std::min(corner, widest_corner * width);
   const Point2 down{0, lower};
   double delta = 0; // where the corner begins its slope is that of the head
@@ -110,7 +110,7 @@ void add_nose(CrossingSection& out, const Head& head, double width, double inner
     else
       break;
   out.points.push_back(begin.position + down);
-  out.nose_lines = {out.points.front(), head.across(inner_line).position + down, out.points.back()};
+  out.nose_lines = {out.points.front(), head.across(inner).position + down, out.points.back()};
   const int parts = std::max(8, static_cast<int>(std::ceil(2 * r / point_spacing)));
   for (int i = 1; i <= parts; ++i) {
     const double to = delta + (std::numbers::pi / 2 - delta) * i / parts;

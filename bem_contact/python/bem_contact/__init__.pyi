@@ -325,7 +325,7 @@ def fatigue(
     wear_is_negative: bool = False,
     folder: str | PathLike[str] | None = None,
 ) -> dict[str, Any]:
-    """The same of each case of a table [sweep], as arrays over the patches of all cases, and the damage of the collective."""
+    """The same of each case of a table [sweep], a dict for each patch of all cases, and the damage of the collective."""
 
 def shakedown(
     result: Result,
