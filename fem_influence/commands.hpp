@@ -26,14 +26,16 @@ void solid_command(const std::string& body_file, const std::string& mesh, const 
 
 /// What is asked of stress_command(). Texts are empty and the ellipse has no numbers where not given.
 struct StressOptions {
-  std::string output;          ///< file to write: .csv, .vtu, else HDF5
-  std::string result;          ///< file of bem_contact solve whose tractions load the body
+  std::vector<std::string> outputs; ///< files to write: .csv, .vtu, else HDF5
+  /// Files of bem_contact solve whose tractions load the body, one for each output; empty: the ellipse does.
+  std::vector<std::string> results;
   std::string points;          ///< points of one's own (.csv)
   std::vector<double> ellipse; ///< arc length of its middle, semi-axes along x and s (mm), p0 (MPa), friction
 };
 
 /// `fem_influence BODY.toml MESH.msh --stresses OUT.h5 --result RESULT.h5`: stresses below a contact in the
-/// body, and those of a half-space beside them. Throws InputError for files or numbers that do not fit.
+/// body, and those of a half-space beside them. Matrices are factorized once for all results. Throws
+/// InputError for files or numbers that do not fit.
 void stress_command(const std::string& body_file, const std::string& mesh, const StressOptions& options);
 
 } // namespace bem_contact::fem

@@ -105,11 +105,15 @@ void add_options(CLI::App& app, Arguments& arguments) {
       ->check(CLI::Range(0, 2));
   add_output_option(app, "--vtu", arguments.options.vtu,
                     "With --solid: displacement field of the first loaded station, for ParaView (.vtu)");
-  add_output_option(app, "--stresses", arguments.stresses.output,
+  add_output_option(app, "--stresses", arguments.stresses.outputs,
                     "Write the stresses below a contact, with those of a half-space beside them (.h5; .csv; "
-                    ".vtu for ParaView)");
-  app.add_option("--result", arguments.stresses.result,
-                 "With --stresses: what bem_contact solve -o wrote; its tractions load the body");
+                    ".vtu for ParaView)")
+      ->allow_extra_args(false);
+  app.add_option(
+         "--result", arguments.stresses.results,
+         "With --stresses: what bem_contact solve -o wrote; its tractions load the body. Both may be given "
+         "again, pair by pair: many results in one run take a fraction of the time")
+      ->allow_extra_args(false);
   app.add_option("--points", arguments.stresses.points,
                  "With --stresses: points of your own, a CSV file with s,depth (mm)");
   app.add_option(
@@ -123,11 +127,12 @@ void add_options(CLI::App& app, Arguments& arguments) {
 void compute(const Arguments& arguments) {
   const fem::SolidOptions& options = arguments.options;
   const fem::StressOptions& stresses = arguments.stresses;
-  if (!stresses.output.empty() || !stresses.ellipse.empty() || !stresses.result.empty() ||
+  if (!stresses.outputs.empty() || !stresses.ellipse.empty() || !stresses.results.empty() ||
       !stresses.points.empty()) {
-    if (arguments.solid || stresses.output.empty() || stresses.ellipse.empty() == stresses.result.empty() ||
-        !options.output.empty())
-      throw InputError("Stresses need a mesh of the section and one load",
+    const std::size_t loads = stresses.ellipse.empty() ? stresses.results.size() : 1;
+    if (arguments.solid || loads == 0 || stresses.outputs.size() != loads ||
+        stresses.ellipse.empty() == stresses.results.empty() || !options.output.empty())
+      throw InputError("Stresses need a mesh of the section, and a load for each output",
                        "--stresses belongs to --result or to --ellipse, and to neither -o nor --solid",
                        "Give --stresses OUT.h5 --result RESULT.h5.");
     if (fem::process_rank() == 0) // one process does it all

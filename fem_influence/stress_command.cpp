@@ -30,25 +30,46 @@ EllipticalLoad load_of(const std::vector<double>& ellipse) {
   return load;
 }
 
-/// The tractions on the body, and what is known of them.
-struct Load {
-  inside::SurfaceTractions tractions;
-  inside::Side side = inside::Side::rail;
-  double error = 0;
-};
+/// The tractions that a result has on the body, and the stresses of a half-space under them.
+LoadedInside loaded(const inside::SurfaceTractions& tractions, inside::Side side, double traction_error,
+                    const std::vector<inside::BelowSurface>& own) {
+  LoadedInside out{tractions, inside::halfspace_inside(tractions, side, own)};
+  if (out.stresses.areas.empty())
+    throw InputError("There is no patch with stresses worth looking at",
+                     "none has four rows and columns of elements", "Solve the scene with smaller elements.");
+  out.stresses.traction_error = traction_error;
+  return out;
+}
 
-Load load_on(const BodyFile& body, const ProfileCurve& curve, const StressOptions& options) {
-  if (options.result.empty())
-    return {tractions_of(load_of(options.ellipse), body.material.poisson), inside::Side::rail, 0};
-  const record::Record result = record::read_hdf5(options.result);
+LoadedInside loaded_by(const std::string& file, const BodyFile& body, const ProfileCurve& curve,
+                       const std::vector<inside::BelowSurface>& own) {
+  const record::Record result = record::read_hdf5(file);
   const inside::Side side = inside::side_of(result, curve.digest());
-  Load out{inside::read_tractions(result, side), side, inside::traction_error(result)};
-  if (std::abs(out.tractions.poisson - body.material.poisson) > 1e-9)
+  const inside::SurfaceTractions tractions = inside::read_tractions(result, side);
+  if (std::abs(tractions.poisson - body.material.poisson) > 1e-9)
     throw InputError(
         "The body has another material than the result",
-        fmt::format("Poisson's ratios are {:g} and {:g}", body.material.poisson, out.tractions.poisson),
+        fmt::format("Poisson's ratios are {:g} and {:g}", body.material.poisson, tractions.poisson),
         "Correct [material] of the body file, or solve the scene again.");
+  return loaded(tractions, side, inside::traction_error(result), own);
+}
+
+std::vector<LoadedInside> loads_on(const BodyFile& body, const ProfileCurve& curve,
+                                   const StressOptions& options) {
+  const std::vector<inside::BelowSurface> own = options.points.empty()
+                                                    ? std::vector<inside::BelowSurface>{}
+                                                    : inside::read_points_below(options.points);
+  if (options.results.empty())
+    return {
+        loaded(tractions_of(load_of(options.ellipse), body.material.poisson), inside::Side::rail, 0, own)};
+  std::vector<LoadedInside> out;
+  for (const std::string& file : options.results)
+    out.push_back(loaded_by(file, body, curve, own));
   return out;
+}
+
+bool is_text(const std::string& output) {
+  return output.ends_with(".csv") || output.ends_with(".vtu");
 }
 
 /// An HDF5 file of ours may be made again; what somebody else made is kept.
@@ -76,29 +97,30 @@ void write(const std::string& output, const inside::StressesInside& stresses) {
 
 void stress_command(const std::string& body_file, const std::string& mesh, const StressOptions& options) {
   const BodyFile body = read_body_file(body_file);
-  const bool is_text = options.output.ends_with(".csv") || options.output.ends_with(".vtu");
-  require_outputs({body_file, profile_file_of(body), mesh, options.result, options.points},
-                  {{"--stresses", options.output, is_text ? OutputForm::text : OutputForm::whole_file}});
-  if (!is_text)
-    require_own_file(options.output);
+  std::vector<std::filesystem::path> inputs{body_file, profile_file_of(body), mesh, options.points};
+  inputs.insert(inputs.end(), options.results.begin(), options.results.end());
+  std::vector<Output> outputs;
+  for (const std::string& file : options.outputs)
+    outputs.push_back({"--stresses", file, is_text(file) ? OutputForm::text : OutputForm::whole_file});
+  require_outputs(inputs, outputs);
+  for (const std::string& file : options.outputs)
+    if (!is_text(file))
+      require_own_file(file);
   const ProfileCurve curve = body_profile(body);
-  const Load load = load_on(body, curve, options);
-  const std::vector<inside::BelowSurface> own = options.points.empty()
-                                                    ? std::vector<inside::BelowSurface>{}
-                                                    : inside::read_points_below(options.points);
-  inside::StressesInside stresses = inside::halfspace_inside(load.tractions, load.side, own);
-  if (stresses.areas.empty())
-    throw InputError("There is no patch with stresses worth looking at",
-                     "none has four rows and columns of elements", "Solve the scene with smaller elements.");
-  stresses.traction_error = load.error;
+  std::vector<LoadedInside> loads = loads_on(body, curve, options);
   ProgressBar bar("wavenumbers");
-  add_body_stresses(stresses, load.tractions, body, curve, mesh,
+  add_body_stresses(loads, body, curve, mesh,
                     [&](std::size_t done, std::size_t all) { bar.show(done, all); });
-  fmt::print(stderr, "{} unknowns, {} wavenumbers\n", stresses.unknowns, stresses.wavenumbers);
-  for (std::size_t k = 0; k < stresses.areas.size(); ++k)
-    fmt::print(stderr, "  {} {} of the {}: {}\n", own.empty() ? "patch" : "points", k + 1,
-               name_of(stresses.side), in_words(stresses, stresses.areas[k]));
-  write(options.output, stresses);
+  const inside::StressesInside& first = loads.front().stresses;
+  fmt::print(stderr, "{} unknowns, {} wavenumbers\n", first.unknowns, first.wavenumbers);
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const inside::StressesInside& stresses = loads[i].stresses;
+    for (std::size_t k = 0; k < stresses.areas.size(); ++k)
+      fmt::print(stderr, "  {}{} {} of the {}: {}\n", loads.size() > 1 ? options.results[i] + ", " : "",
+                 options.points.empty() ? "patch" : "points", k + 1, name_of(stresses.side),
+                 in_words(stresses, stresses.areas[k]));
+    write(options.outputs[i], stresses);
+  }
 }
 
 } // namespace bem_contact::fem

@@ -56,8 +56,6 @@ bool run_and_wait(const std::vector<std::string>& words, std::string& why);
 
 void set_variable(const char* name, const std::filesystem::path& value); ///< of the environment
 
-std::filesystem::path this_program(); ///< "": the system does not say
-
 /// A program in the folder CONFORMAL_BIN, else beside this one, else on PATH. "": it is not there.
 std::filesystem::path program_named(std::string_view name);
 

@@ -1,10 +1,10 @@
 #include "bem_contact/base/message_file.hpp"
 
 #include "bem_contact/base/enum_names.hpp"
+#include "bem_contact/base/number_text.hpp"
 #include "bem_contact/base/printable.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <fstream>
@@ -17,13 +17,16 @@ namespace bem_contact {
 
 namespace {
 
+/// The number with which the text begins; 0 where it begins with none.
+double first_number(std::string_view text) {
+  return number_of_text(text.substr(0, text.find_first_not_of("0123456789."))).value_or(0);
+}
+
 /// 0 where the text has not this form.
 double share_of(std::string_view text) {
   const std::size_t slash = std::min(text.find('/'), text.size());
-  double done = 0, all = 0;
-  std::from_chars(text.data(), text.data() + slash, done);
-  if (slash < text.size())
-    std::from_chars(text.data() + slash + 1, text.data() + text.size(), all);
+  const double done = first_number(text),
+               all = slash < text.size() ? first_number(text.substr(slash + 1)) : 0;
   return all > 0 ? std::clamp(done / all, 0.0, 1.0) : 0;
 }
 

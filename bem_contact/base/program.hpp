@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+
 namespace bem_contact {
 
 /// Programs call it when they start: memory that is freed stays with the process, up to 512 MB, and the first
@@ -13,6 +15,8 @@ void keep_freed_memory();
 /// standard streams are held open, OpenBLAS has no threads where memory is limited (the program then begins
 /// anew, with `argv`), and a write beyond the limit on the size of files becomes an error.
 void begin_program(char** argv);
+
+std::filesystem::path this_program(); ///< "": the system does not say
 
 /// The last thing a program does: `code` if all that was printed has reached standard output. Otherwise (a
 /// full disk) 1, with a message on standard error.

@@ -1,5 +1,7 @@
 #include "bem_contact/contact/friction_law.hpp"
 
+#include "bem_contact/base/place_in_table.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -31,14 +33,9 @@ double HotFriction::factor(double temperature) const {
 double YieldLimit::at(double temperature) const {
   if (temperatures.empty())
     return shear;
-  const auto above = std::ranges::upper_bound(temperatures, temperature);
-  if (above == temperatures.begin())
-    return shears.front();
-  if (above == temperatures.end())
-    return shears.back();
-  const auto k = above - temperatures.begin();
-  const double share = (temperature - temperatures[k - 1]) / (temperatures[k] - temperatures[k - 1]);
-  return shears[k - 1] + share * (shears[k] - shears[k - 1]);
+  const PlaceInTable place(temperatures, temperature);
+  const std::size_t next = std::min(place.line + 1, shears.size() - 1);
+  return std::lerp(shears[place.line], shears[next], place.share);
 }
 
 bool YieldLimit::softens_by_heat() const {

@@ -15,6 +15,7 @@ namespace {
 
 using Extents = std::vector<hsize_t>; ///< a Shape as HDF5 takes it
 
+constexpr unsigned deflate_level = 9;       ///< what is packed is written once, and sent often
 constexpr hsize_t rows_of_a_cache_line = 8; ///< of doubles
 /// Largest extent of a table that is read: a damaged file asks for no more memory than this.
 constexpr hsize_t most_extent = 1000000;
@@ -122,10 +123,12 @@ void write(hid_t at, const Table& table) {
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, name);
   const Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
   check(H5Pset_obj_track_times(list, false) >= 0, name); // the same numbers give the same bytes
-  if (table.checked) {
+  if (table.layout != Layout::whole) {
     Extents chunk = shape;
     chunk.front() = 1;
     check(H5Pset_chunk(list, static_cast<int>(chunk.size()), chunk.data()) >= 0, name);
+    if (table.layout == Layout::packed)
+      check(H5Pset_shuffle(list) >= 0 && H5Pset_deflate(list, deflate_level) >= 0, name);
     check(H5Pset_fletcher32(list) >= 0, name);
   }
   const Handle set(H5Dcreate2(at, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, list, H5P_DEFAULT), H5Dclose,

@@ -40,15 +40,16 @@ void read(H5Id at, const char* name, int& value);
 void read(H5Id at, const char* name, std::uint64_t& value);
 void read(H5Id at, const char* name, std::string& value);
 
-/// Writes a table of doubles and its attribute `unit`. `checked`: in chunks of one wavenumber, each with a
-/// checksum. It is not compressed: six of the eight bytes of a number cannot be, and gzip took longer than
-/// all other writing.
+/// How a table lies in its file. In chunks, each has one wavenumber and a checksum. `packed` also compresses
+/// them, which pays for rounded numbers alone: six of the eight bytes of another cannot be compressed.
+enum class Layout { whole, chunks, packed };
+/// Writes a table of doubles and its attribute `unit`.
 struct Table {
   const char* name;
   Shape shape;
   std::span<const double> values;
   const char* unit;
-  bool checked = false;
+  Layout layout = Layout::whole;
 };
 void write(H5Id at, const Table& table);
 

@@ -23,11 +23,12 @@ std::ifstream open_file(const std::filesystem::path& file) {
                      "Name a file that fem_influence wrote.");
   std::ifstream in(file, std::ios::binary);
   if (!in)
-    throw InputError(
-        "The influence file '" + file.string() + "' cannot be opened",
-        file_exists(file) ? "no permission to read it" : "there is no such file",
-        fmt::format("Check its name, or compute it from the body file: tools/influence BODY.toml {}",
-                    file.string()));
+    throw InputError("The influence file '" + file.string() + "' cannot be opened",
+                     file_exists(file) ? "no permission to read it" : "there is no such file",
+                     fmt::format("Check its name, compute it from the body file: tools/influence BODY.toml "
+                                 "{0}, or see which are prepared: "
+                                 "bem_contact influence list",
+                                 file.string()));
   return in;
 }
 

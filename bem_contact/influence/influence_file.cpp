@@ -6,6 +6,7 @@
 #include "bem_contact/h5/strict.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/lower_triangle.hpp"
+#include "bem_contact/influence/packed_file.hpp"
 
 #include <algorithm>
 #include <ostream>
@@ -51,7 +52,7 @@ int format_minor_of(const InfluenceStrip& f) {
   return f.is_table() ? table_format_minor : influence_format_minor;
 }
 
-void write_contents(H5Id root, const InfluenceFunction& f) {
+void write_contents(H5Id root, const InfluenceFunction& f, strict_h5::Layout chunks) {
   write(root, "format_major", influence_format_major);
   write(root, "format_minor", format_minor_of(f));
   for_each_scalar(f, [&](const char* name, const auto& value) { write(root, name, value); });
@@ -67,7 +68,7 @@ void write_contents(H5Id root, const InfluenceFunction& f) {
     std::vector<double> lower;
     for (strict_h5::Extent m = 0; m < f.table_offsets(); ++m)
       append_lower(lower, std::span(f.table).subspan(m * n * n, n * n), n);
-    write(root, {"table", {f.table_offsets(), lower_size(n)}, lower, "mm/MPa", true});
+    write(root, {"table", {f.table_offsets(), lower_size(n)}, lower, "mm/MPa", chunks});
     return;
   }
   write(root, {"wavenumber", {nk}, f.wavenumber, "1/mm"});
@@ -76,8 +77,8 @@ void write_contents(H5Id root, const InfluenceFunction& f) {
   for (strict_h5::Extent k = 0; k < nk; ++k)
     for (strict_h5::Extent entry = 0; entry < f.kernel_size(); ++entry)
       kernel.push_back(f.kernel[entry * nk + k]);
-  write(root, {"kernel", {nk, lower_size(n)}, kernel, "mm/MPa", true});
-  write(root, {"remote", {nk, 6, n}, f.remote, "mm/MPa, 1/MPa", true});
+  write(root, {"kernel", {nk, lower_size(n)}, kernel, "mm/MPa", chunks});
+  write(root, {"remote", {nk, 6, n}, f.remote, "mm/MPa, 1/MPa", chunks});
   write(root, {"remote_self", {nk, 6, 6}, f.remote_self, "mm/MPa and per mm of each rotation"});
 }
 
@@ -209,12 +210,25 @@ double InfluenceFile::megabytes() const {
                              part_.table.size());
 }
 
-void write_influence_file(const std::filesystem::path& file, const InfluenceFunction& function) {
+namespace {
+
+void write_sealed(const std::filesystem::path& file, const InfluenceFunction& function,
+                  strict_h5::Layout chunks) {
   validate(function);
   const QuietHdf5 quiet;
-  const H5Image image({.user_block = seal_size}, [&](H5Id root) { write_contents(root, function); });
+  const H5Image image({.user_block = seal_size}, [&](H5Id root) { write_contents(root, function, chunks); });
   seal(std::as_writable_bytes(image.bytes()), influence_format_major, format_minor_of(function));
   write_whole(file, [&](std::ostream& out) { out << image; });
+}
+
+} // namespace
+
+void write_influence_file(const std::filesystem::path& file, const InfluenceFunction& function) {
+  write_sealed(file, function, strict_h5::Layout::chunks);
+}
+
+void write_packed_influence_file(const std::filesystem::path& file, const InfluenceFunction& function) {
+  write_sealed(file, rounded(function), strict_h5::Layout::packed);
 }
 
 } // namespace bem_contact

@@ -2,7 +2,7 @@
 #include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/record_object.hpp"
 #include "bem_contact/python/result_object.hpp"
-#include "bem_contact/uses/shakedown/shakedown_of_result.hpp"
+#include "bem_contact/uses/shakedown/shakedown_in_body.hpp"
 
 #include <optional>
 #include <pybind11/stl.h>
@@ -16,7 +16,8 @@ using namespace py::literals;
 
 py::dict shakedown_of_result(const PythonResult& result, std::optional<double> yield_shear,
                              std::optional<double> dang_van_a, std::optional<double> alpha, bool in_plane,
-                             const std::string& steel, const std::optional<std::string>& initial_stress) {
+                             const std::string& steel, const std::optional<std::string>& initial_stress,
+                             const std::optional<std::string>& body) {
   if (!result.solved)
     throw InputError("shakedown needs a result that was solved here",
                      "one that was pickled holds only its properties", "Solve the scene again.");
@@ -28,7 +29,11 @@ py::dict shakedown_of_result(const PythonResult& result, std::optional<double> y
   properties.residual = in_plane ? shakedown::Residual::in_plane : shakedown::Residual::all;
   if (initial_stress)
     properties.initial = shakedown::read_initial_stress(*initial_stress);
-  return as_dict(record_of(shakedown::shakedown_of(*result.solved, properties), properties));
+  const auto found = [&] {
+    return body ? shakedown::shakedown_in_body({&*result.solved, 1}, *body, properties).front()
+                : shakedown::shakedown_of(*result.solved, properties);
+  };
+  return as_dict(record_of(found(), properties));
 }
 
 } // namespace
@@ -37,7 +42,7 @@ void add_shakedown(py::module_& module) {
   module.def(
       "shakedown", &shakedown_of_result, "result"_a, "yield_shear"_a = py::none(),
       "dang_van_a"_a = py::none(), "alpha"_a = py::none(), "in_plane"_a = false, "steel"_a = "",
-      "initial_stress"_a = py::none(),
+      "initial_stress"_a = py::none(), "body"_a = py::none(),
       "Whether the steel below each patch of a Result yields never, once or for ever while it passes again "
       "and again: "
       "`patches` with the load factors `first_yield`, `shakedown` (lower bound) and `shakedown_upper`, with "
@@ -50,7 +55,8 @@ void add_shakedown(py::module_& module) {
       "default that of a steel with this Dang Van's a; `in_plane`: without residual shear along the track; "
       "`initial_stress`: a CSV file with residual and thermal stress of the body (depth, perhaps s, mm; any "
       "of "
-      "xx, ss, nn, xs, xn, sn, MPa), which first yield and fatigue feel.");
+      "xx, ss, nn, xs, xn, sn, MPa), which first yield and fatigue feel; `body`: a body file, to take the "
+      "stresses inside that rail or wheel (by mesh_body and fem_influence) and not those of a half-space.");
 }
 
 } // namespace bem_contact

@@ -321,8 +321,8 @@ Found of_shakedown(const Record& r) {
   for (const auto& [path, name] :
        {std::pair{"patches/dang_van", "Dang Van"}, {"patches/crossland", "Crossland"}})
     if (const auto most = largest_of(r, path))
-      found.sentences.push_back(fmt::format("The largest stress of {} is {}, {} deep.", name,
-                                            text_of(*stated_at(r, path, *most)),
+      found.sentences.push_back(fmt::format("Below the surface the largest stress of {} is {}, {} deep.",
+                                            name, text_of(*stated_at(r, path, *most)),
                                             text_of(*stated_at(r, std::string(path) + "_depth", *most))));
   found.next = {question(r, "Do cracks begin at the surface?", "fatigue")};
   return found;

@@ -295,7 +295,8 @@ const SHAKEDOWN = {
       ["shakedown", "shakedown factor, at least", least("shakedown")],
       ["shakedown_upper", "at most", least("shakedown_upper")],
       ["first_yield", "first yield, load factor", least("first_yield")],
-      largest(p, "dang_van", "largest stress of Dang Van"), largest(p, "crossland", "largest stress of Crossland"),
+      largest(p, "dang_van", "largest stress of Dang Van below the surface"),
+      largest(p, "crossland", "largest stress of Crossland below the surface"),
       single("yield_shear", "yield stress in shear, k")
     ]);
   },

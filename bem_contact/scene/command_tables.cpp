@@ -3,7 +3,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/toml.hpp"
-#include "bem_contact/scene/absolute_names.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 
 #include <algorithm>
@@ -85,19 +84,20 @@ std::vector<std::string> files_of_table(const SceneText& scene, std::string_view
     const auto* text = node.as_string();
     if (!text)
       return;
-    const std::string file = absolute_name(text->get(), scene.folder);
+    const std::filesystem::path file = scene.folder / text->get();
     if (is_regular(file))
-      out.push_back(file);
+      out.push_back(file.string());
   };
   try {
     const toml::table root = parse_toml(scene.toml, scene.source);
     if (const toml::table* values = root[table].as_table())
-      for (const auto& [name, node] : *values)
+      for (const auto& [name, node] : *values) {
         if (const toml::array* list = node.as_array())
           for (const toml::node& one : *list)
             take(one);
         else
           take(node);
+      }
   } catch (const toml::parse_error&) { // whoever reads the scene says what is wrong
   }
   return out;

@@ -24,7 +24,7 @@ std::span<const std::string_view> option_keys(std::string_view table);
 /// passes: whoever reads it says what is wrong.
 void require_known_options(const SceneText& scene);
 
-/// The files that such a table names, as texts or in lists of texts, with names that hold from any folder.
+/// The files that such a table names, as texts or in lists of texts, and that are there.
 std::vector<std::string> files_of_table(const SceneText& scene, std::string_view table);
 
 /// The text of a scene without the tables of commands that are not `kept`, and without comments: what an

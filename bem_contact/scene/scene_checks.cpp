@@ -356,7 +356,8 @@ void check_keys(const SceneFile& f, const Schema& s) {
   if (f.solver.model && words_of(*f.solver.model).needs_files && f.rail.influence.empty() &&
       f.wheel.influence.empty())
     s.refuse("solver.model", "no influence file is given",
-             "Give rail.influence and wheel.influence, or use model = \"halfspace\".");
+             "Give rail.influence and wheel.influence (bem_contact influence list names prepared files, "
+             "tools/influence NAME computes others), or use model = \"halfspace\".");
 }
 
 } // namespace bem_contact

@@ -29,6 +29,16 @@ record::Record result_file(const SceneResult& result, const GivenScene& given,
   return headed(result_format, given, output).add("geometry", geometry_of(result)).append(record_of(result));
 }
 
+record::Record result_file(const SceneResult& result) {
+  constexpr const char* poisson = "Poisson's ratio";
+  return record::Record{{"format", record::Text{result_format}}}
+      .add("materials",
+           record::Record{{"rail_poisson", record::Number{result.bodies.rail_poisson, "1", poisson}},
+                          {"wheel_poisson", record::Number{result.bodies.wheel_poisson, "1", poisson}}})
+      .add("geometry", geometry_of(result))
+      .append(record_of(result));
+}
+
 record::Record comparison_file(const Comparison& comparison, const GivenScene& given,
                                const std::filesystem::path& output) {
   return headed(comparison_format, given, output)

@@ -10,6 +10,8 @@ namespace bem_contact {
 /// The file of `solve -o`: how it begins (scene_record.hpp), then what the result says.
 record::Record result_file(const SceneResult& result, const GivenScene& given,
                            const std::filesystem::path& output);
+/// The same without its scene: what another program of this project needs of it.
+record::Record result_file(const SceneResult& result);
 /// Makes the file of `compare -o`.
 record::Record comparison_file(const Comparison& comparison, const GivenScene& given,
                                const std::filesystem::path& output);

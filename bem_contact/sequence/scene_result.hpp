@@ -100,7 +100,8 @@ struct SceneMotion {
 
 /// What outputs say of the two bodies.
 struct SceneBodies {
-  double rail_poisson = Material{}.poisson; ///< of the rail (patch: of the lower body), for stresses in it
+  double rail_poisson = Material{}.poisson;  ///< of the rail (patch: of the lower body), for stresses in it
+  double wheel_poisson = Material{}.poisson; ///< of the other one
   /// ProfileCurve::digest() of both profiles, as influence files have it; 0 of a patch.
   std::uint64_t rail_geometry = 0, wheel_geometry = 0;
   std::vector<double> wheel_s; ///< station on the upper body of each row, mm; empty where it has none

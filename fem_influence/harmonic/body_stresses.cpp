@@ -129,14 +129,15 @@ struct AreaPlan {
 class BodyStresses {
 public:
   BodyStresses(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh,
-               const SurfaceTractions& rows)
-      : body_(body), curve_(curve), mesh_(mesh), stations_(make_stations(body.strip, curve)),
-        tractions_(on_stations(rows, stations_, body.strip.station_width)) {
+               std::span<const LoadedInside> loads)
+      : body_(body), curve_(curve), mesh_(mesh), stations_(make_stations(body.strip, curve)) {
+    for (const LoadedInside& load : loads)
+      tractions_.push_back(on_stations(load.tractions, stations_, body.strip.station_width));
     require_mesh_of(body, curve, mesh);
     body_.harmonic.border_levels = 0; // the remainder has no jumps
   }
 
-  void add_to(inside::StressesInside& out, const StressProgress& progress) const {
+  void add_to(std::span<LoadedInside> loads, const StressProgress& progress) const {
     std::vector<AreaPlan> plans;
     SectionTask task{.body = body_,
                      .curve = curve_,
@@ -144,14 +145,16 @@ public:
                      .tractions = tractions_,
                      .least_depth = 1e9,
                      .areas = {}};
-    for (AreaStresses& area : out.areas) {
-      if (!area.section)
-        std::ranges::for_each(area.points, [&](const BelowSurface& p) { require_below(p); });
-      const AreaPlan& plan = plans.emplace_back(
-          area, curve_, area.section ? area.section->size : load_size(tractions_), body_.strip.station_width);
-      task.least_depth = std::min(task.least_depth, plan.least_depth);
-      task.areas.push_back({.points = plan.probes, .x = area.x});
-    }
+    for (std::size_t load = 0; load < loads.size(); ++load)
+      for (const AreaStresses& area : loads[load].stresses.areas) {
+        if (!area.section)
+          std::ranges::for_each(area.points, [&](const BelowSurface& p) { require_below(p); });
+        const AreaPlan& plan =
+            plans.emplace_back(area, curve_, area.section ? area.section->size : load_size(tractions_[load]),
+                               body_.strip.station_width);
+        task.least_depth = std::min(task.least_depth, plan.least_depth);
+        task.areas.push_back({.load = load, .points = plan.probes, .x = area.x});
+      }
     const bool has_companion = body_.harmonic.degree > 1;
     const auto shown = [&](std::size_t before) {
       return [&, before](std::size_t done, std::size_t all) {
@@ -159,16 +162,22 @@ public:
       };
     };
     const SectionStresses found = section_stresses(task, shown(0));
-    out.unknowns = found.unknowns;
-    out.wavenumbers = found.wavenumbers;
-    out.body = curve_.name();
     std::optional<SectionStresses> coarse;
     if (has_companion) {
       --task.body.harmonic.degree;
       coarse = section_stresses(task, shown(found.wavenumbers));
     }
-    for (std::size_t k = 0; k < out.areas.size(); ++k)
-      add_area(out.areas[k], plans[k], found.areas[k], coarse ? &coarse->areas[k] : nullptr);
+    std::size_t k = 0;
+    for (std::size_t load = 0; load < loads.size(); ++load) {
+      inside::StressesInside& out = loads[load].stresses;
+      out.unknowns = found.unknowns;
+      out.wavenumbers = found.wavenumbers;
+      out.body = curve_.name();
+      for (AreaStresses& area : out.areas) {
+        add_area(area, tractions_[load], plans[k], found.areas[k], coarse ? &coarse->areas[k] : nullptr);
+        ++k;
+      }
+    }
   }
 
 private:
@@ -179,13 +188,13 @@ private:
                        "Move it, or leave it out.");
   }
 
-  void add_area(AreaStresses& area, const AreaPlan& plan, const std::vector<Passage>& found,
-                const std::vector<Passage>* coarse) const {
+  void add_area(AreaStresses& area, const SurfaceTractions& tractions, const AreaPlan& plan,
+                const std::vector<Passage>& found, const std::vector<Passage>* coarse) const {
     // the half-space under the same tractions on stations, which the body was solved for
     std::vector<int> columns;
     for (const double x : area.x)
-      columns.push_back(static_cast<int>(std::lround((x - tractions_.x0) / tractions_.dx)));
-    std::vector<Passage> rest = halfspace_stresses(tractions_, plan.probes, columns);
+      columns.push_back(static_cast<int>(std::lround((x - tractions.x0) / tractions.dx)));
+    std::vector<Passage> rest = halfspace_stresses(tractions, plan.probes, columns);
     std::vector<double> error(plan.probes.size(), 0);
     for (std::size_t i = 0; i < rest.size(); ++i)
       for (std::size_t j = 0; j < rest[i].size(); ++j) {
@@ -221,7 +230,7 @@ private:
   const ProfileCurve& curve_;
   std::filesystem::path mesh_;
   std::vector<Station> stations_;
-  SurfaceTractions tractions_;
+  std::vector<SurfaceTractions> tractions_; ///< of each load on the stations
 };
 
 } // namespace
@@ -253,10 +262,9 @@ inside::SurfaceTractions tractions_of(const EllipticalLoad& load, double poisson
   return out;
 }
 
-void add_body_stresses(inside::StressesInside& stresses, const inside::SurfaceTractions& tractions,
-                       const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh,
-                       const StressProgress& progress) {
-  BodyStresses(body, curve, mesh, tractions).add_to(stresses, progress);
+void add_body_stresses(std::span<LoadedInside> loads, const BodyFile& body, const ProfileCurve& curve,
+                       const std::filesystem::path& mesh, const StressProgress& progress) {
+  BodyStresses(body, curve, mesh, loads).add_to(loads, progress);
 }
 
 } // namespace bem_contact::fem

@@ -96,8 +96,10 @@ public:
     for (const AskedStresses& area : task_.areas)
       for (const double x : area.x)
         reach = std::max(reach, std::abs(x));
-    const inside::SurfaceTractions& t = task_.tractions;
-    reach += std::max(std::abs(t.x(0)), std::abs(t.x(t.columns - 1))) + t.dx / 2;
+    double loaded = 0;
+    for (const inside::SurfaceTractions& t : task_.tractions)
+      loaded = std::max(loaded, std::max(std::abs(t.x(0)), std::abs(t.x(t.columns - 1))) + t.dx / 2);
+    reach += loaded;
     const std::vector<Wavenumber> all = wavenumbers(
         half_period_of(task_.body), largest_wavenumber / task_.least_depth, phase_of_panel / reach);
     MumpsSolver solver(static_cast<int>(system_.unknowns()), unknowns_of_cells(system_));
@@ -106,7 +108,7 @@ public:
       evaluate(system_, all[i].k, matrix);
       solver.factorize(matrix);
       solver.solve(loads(all[i].k), [&](std::size_t column, std::span<const double> solution) {
-        add(all[i], column == 1, solution);
+        add(all[i], column / 2, column % 2 == 1, solution);
       });
       progress(i + 1, all.size());
     }
@@ -142,14 +144,21 @@ private:
     }
   }
 
-  /// Two columns: pressure and traction along s as cos kx with that along x as sin kx; then pressure and
-  /// traction along s as sin kx = cos (kx - pi/2), with that along x as cos kx = -sin (kx - pi/2).
+  /// Two columns a load: pressure and traction along s as cos kx with that along x as sin kx; then pressure
+  /// and traction along s as sin kx = cos (kx - pi/2), with that along x as cos kx = -sin (kx - pi/2).
   SparseColumns loads(double k) const {
+    SparseColumns out;
+    for (const inside::SurfaceTractions& tractions : task_.tractions)
+      add_load(tractions, k, out);
+    return out;
+  }
+
+  void add_load(const inside::SurfaceTractions& tractions, double k, SparseColumns& out) const {
     std::array<std::vector<double>, 2> sums;
     for (std::vector<double>& sum : sums)
       sum.assign(system_.unknowns(), 0);
     for (std::size_t J = 0; J < stations_.size(); ++J) {
-      const Transform f(task_.tractions, J, k / rho(stations_[J].position.z));
+      const Transform f(tractions, J, k / rho(stations_[J].position.z));
       for (std::size_t c = 0; c < 3; ++c) {
         const bool along = c == component_x;
         const std::array<double, 2> amount{along ? f.sine[c] : f.cosine[c], along ? -f.cosine[c] : f.sine[c]};
@@ -159,14 +168,12 @@ private:
         });
       }
     }
-    SparseColumns out;
     for (const std::vector<double>& sum : sums) {
       for (std::size_t row = 0; row < sum.size(); ++row)
         if (sum[row] != 0)
           out.add(static_cast<int>(row), sum[row]);
       out.end_column();
     }
-    return out;
   }
 
   /// What a solution is at a point (THEORY.md, section 2), turned into the frame of the surface above it.
@@ -194,9 +201,11 @@ private:
             {0, 0, 0, xy * c + xz * s, xz * c - xy * s, 0}};
   }
 
-  /// Adds what a wave gives. `odd`: it is a quarter of a wave behind.
-  void add(const Wavenumber& one, bool odd, std::span<const double> solution) {
+  /// Adds what a wave of one load gives. `odd`: it is a quarter of a wave behind.
+  void add(const Wavenumber& one, std::size_t load, bool odd, std::span<const double> solution) {
     for (std::size_t area = 0; area < probes_.size(); ++area) {
+      if (task_.areas[area].load != load)
+        continue;
       const std::vector<double>& x = task_.areas[area].x;
       std::vector<std::array<double, 2>> waves;
       for (const double at : x) {

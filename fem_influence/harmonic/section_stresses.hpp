@@ -7,12 +7,14 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace bem_contact::fem {
 
 /// Points below one patch and places along x at which stresses are asked for.
 struct AskedStresses {
+  std::size_t load = 0; ///< number of the tractions that make them
   std::vector<inside::BelowSurface> points;
   std::vector<double> x;
 };
@@ -21,8 +23,8 @@ struct SectionTask {
   BodyFile body;
   const ProfileCurve& curve;
   std::filesystem::path mesh;
-  const inside::SurfaceTractions& tractions; ///< a row for each station
-  double least_depth = 1;                    ///< of all points, mm
+  std::span<const inside::SurfaceTractions> tractions; ///< of each load, with a row for each station
+  double least_depth = 1;                              ///< of all points, mm
   std::vector<AskedStresses> areas;
 };
 
@@ -31,8 +33,9 @@ struct SectionStresses {
   std::size_t unknowns = 0, wavenumbers = 0;
 };
 
-/// The stresses of the finite elements: two solutions for each wavenumber, for tractions that are even in x
-/// and those that are odd. Good from the least depth on.
+/// The stresses of the finite elements: of each load two solutions for each wavenumber, for tractions that
+/// are even in x and those that are odd. Matrices are factorized once for all loads. Good from the least
+/// depth on.
 SectionStresses section_stresses(const SectionTask& task,
                                  const std::function<void(std::size_t, std::size_t)>& progress);
 

@@ -205,6 +205,44 @@ TEST_F(InfluenceCommand, RefusesWhatDoesNotFit) {
     EXPECT_THAT(entry.path().filename().string(), testing::AnyOf("rail.h5", "wheel.h5", "stdout", "stderr"));
 }
 
+/// The folder of the sources has two prepared files.
+TEST_F(InfluenceCommand, PreparedFilesAreCopiedByTheNamesOfStandards) {
+  const std::string from = " --folder '" CONFORMAL_SOURCE_DIR "/data/influence'";
+  const Outcome list = run("influence list" + from);
+  EXPECT_EQ(list.code, 0) << list.err;
+  EXPECT_THAT(list.out, AllOf(HasSubstr("small_rail.h5: rail 60E1, gauge corner, s = -44 .. -20 mm"),
+                              HasSubstr("small_wheel.h5: wheel S1002, flange root")));
+  const std::string get = "influence get 'UIC 60' S1002 -o " + path("got") + from;
+  for (int time = 0; time < 2; ++time) { // what is there already stays
+    const Outcome got = run(get);
+    EXPECT_EQ(got.code, 0) << got.err;
+    EXPECT_THAT(got.out, HasSubstr("rail.influence = \"" + (folder_ / "got/small_rail.h5").string() + "\""));
+    EXPECT_EQ(read_influence_file(folder_ / "got/small_rail.h5").kernel,
+              read_influence_file(CONFORMAL_SOURCE_DIR "/data/influence/small_rail.h5").kernel);
+  }
+  write("got/small_rail.h5", "mine");
+  refused(run(get), {"exists and would be replaced"});
+  EXPECT_EQ(text_of(folder_ / "got/small_rail.h5"), "mine");
+  refused(run("influence get 56E1 -o " + path("none") + from),
+          {"56E1", "60E1, S1002", "tools/influence \"56E1\""});
+  refused(run("influence get 60E1 --strip tread -o " + path("none") + from), {"tread", "gauge corner"});
+  refused(run("influence get 60E1 -o " + path("none") + " --folder " + path("nowhere")), {"index.toml"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "none"));
+}
+
+TEST_F(InfluenceCommand, PackedFilesAreSmallerAndUsed) {
+  const std::string file = CONFORMAL_SOURCE_DIR "/data/influence/small_rail.h5";
+  const Outcome packed = run("influence pack '" + file + "' -o " + path("packed.h5"));
+  EXPECT_EQ(packed.code, 0) << packed.err;
+  EXPECT_LT(3 * std::filesystem::file_size(folder_ / "packed.h5"), std::filesystem::file_size(file));
+  EXPECT_EQ(run("info " + path("packed.h5")).code, 0);
+  refused(run("influence pack " + path("packed.h5") + " -o " + path("packed.h5")), {"would overwrite"});
+  write("foreign.h5", "mine");
+  refused(run("influence pack " + path("packed.h5") + " -o " + path("foreign.h5")),
+          {"exists", "no influence file"});
+  EXPECT_EQ(text_of(folder_ / "foreign.h5"), "mine");
+}
+
 TEST_F(InfluenceCommand, HelpHasExamplesThatAreItsOptions) {
   const Outcome help = run("influence --help");
   EXPECT_EQ(help.code, 0);

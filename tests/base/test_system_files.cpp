@@ -1,4 +1,5 @@
 #include "bem_contact/base/child_process.hpp"
+#include "bem_contact/base/program.hpp"
 #include "bem_contact/base/system/files.hpp"
 
 #include "tests/base/temporary_folder.hpp"

@@ -77,6 +77,17 @@ class BodyStresses(unittest.TestCase):
         page = (f / "study" / "study.html").read_text()
         self.assertIn("The steel yields once (shakedown factor", page)
 
+    def test_cases_of_a_collective_are_those_of_single_scenes(self):
+        f = self.folder
+        (f / "cases.toml").write_text(SCENE + "[sweep]\nload.force = [600, 1000]\n")
+        cases = json.loads(self.call_ok("shakedown", f / "cases.toml", "--body", f / "block.toml", "--yield-shear", 250, "--json"))
+        flat = json.loads(self.call_ok("shakedown", f / "cases.toml", "--yield-shear", 250, "--json"))
+        alone = json.loads(self.call_ok("shakedown", f / "scene.toml", "--body", f / "block.toml", "--json"))
+        of_cases, of_halfspace, of_one = (cases["patches"]["shakedown"], flat["patches"]["shakedown"], [patch["shakedown"] for patch in alone["patches"]])
+        self.assertEqual(len(of_cases), 2)
+        self.assertNotEqual(of_cases, of_halfspace)
+        self.assertAlmostEqual(of_cases[1], of_one[0], delta=1e-3 * of_one[0])  # another set of waves
+
     def test_what_cannot_be_answered_is_refused(self):
         f = self.folder
         (f / "sweep.toml").write_text(SCENE + "[sweep]\nload.force = [500, 1000]\n")
@@ -86,7 +97,8 @@ class BodyStresses(unittest.TestCase):
                            (["stresses", f / "result.h5", "--body", f / "wrong.toml"], "cube"),
                            (["stresses", f / "result.h5", "--body", f / "narrow.toml"], "strip"),
                            (["stresses", f / "result.h5", "--body", f / "block.toml", "--wheel"], "--wheel cannot be given"),
-                           (["shakedown", f / "sweep.toml", "--body", f / "block.toml"], "one scene"),
+                           (["shakedown", f / "sweep.toml", "--body", f / "none.toml"], "There is no body file"),
+                           (["shakedown", f / "sweep.toml", "--body", f / "block.toml", "-o", f / "block.toml"], "block.toml"),
                            (["shakedown", f / "plain.toml", "--body", f / "none.toml"], "There is no body file"),
                            (["shakedown", f / "plain.toml", "--body", f / "block.toml", "-o", f / "block.toml"], "block.toml")):
             done = self.call(*words)

@@ -158,9 +158,13 @@ class Config(unittest.TestCase):
             Path("bodies", f"{name}.toml").write_text(SMALL_BLOCK)
         Path("s.toml").write_text(SWEEP + 'rail.influence = ["influence/a.h5", "influence/c.h5"]\n')
         Path("h.toml").write_text(SWEEP)
+        Path("f.toml").write_text(SWEEP + '[fit]\nmeasured = ["points.csv", "absent.csv"]\nparameters = "motion.friction"\n')
+        Path("points.csv").write_text("xi,Fx\n1e-3,500\n")
         plan = self.plan('[[body]]\nfiles = ["bodies/*.toml"]\nfolder = "influence"\n'
-                         '[[sweep]]\nscene = "s.toml"\noutput = "o.h5"\n[[sweep]]\nscene = "h.toml"\noutput = "h.h5"\n')
+                         '[[sweep]]\nscene = "s.toml"\noutput = "o.h5"\n[[sweep]]\nscene = "h.toml"\noutput = "h.h5"\n'
+                         '[[study]]\nscene = "f.toml"\nfolder = "f"\n')
         self.assertEqual([sweep.inputs for sweep in plan.sweeps], [["s.toml", "influence/a.h5", "influence/c.h5"], ["h.toml"]])
+        self.assertEqual([study.inputs for study in plan.studies], [["f.toml", "points.csv"]])
 
     def test_what_a_killed_snakemake_leaves_is_removed(self):
         Path("s.toml").write_text(SWEEP)

@@ -33,9 +33,9 @@ BodyFile block_body() {
 StressesInside inside_block(const SurfaceTractions& load, std::span<const BelowSurface> own = {}) {
   const Folder folder;
   write_block_mesh(folder / "block.msh", 0.5, 6, 150);
-  StressesInside out = inside::halfspace_inside(load, inside::Side::rail, own);
-  add_body_stresses(out, load, block_body(), straight_line(150), folder / "block.msh", without_progress);
-  return out;
+  std::vector<LoadedInside> loads{{load, inside::halfspace_inside(load, inside::Side::rail, own)}};
+  add_body_stresses(loads, block_body(), straight_line(150), folder / "block.msh", without_progress);
+  return loads[0].stresses;
 }
 
 std::array<double, 6> components(const Stress& t) {
@@ -129,7 +129,7 @@ TEST(StressesInside, BearTheForce) {
   const SectionTask on{.body = body,
                        .curve = curve,
                        .mesh = folder / "block.msh",
-                       .tractions = load,
+                       .tractions = {&load, 1},
                        .least_depth = 6,
                        .areas = {plane}};
   const SectionStresses found = section_stresses(on, without_progress);
@@ -168,9 +168,9 @@ struct RoundBody {
     return section_stresses({.body = body,
                              .curve = circle,
                              .mesh = folder / "ring.msh",
-                             .tractions = tractions,
+                             .tractions = {&tractions, 1},
                              .least_depth = 2.5,
-                             .areas = {{.points = points, .x = {0}}}},
+                             .areas = {{.load = 0, .points = points, .x = {0}}}},
                             without_progress)
         .areas.at(0);
   }
@@ -276,8 +276,9 @@ TEST(StressesInside, OfAThinBodyEndAtItsSides) {
   const Folder folder;
   write_block_mesh(folder / "blade.msh", 0.5, 6, 8);
   const SurfaceTractions load = tractions_of({.s = 0, .a = 4, .b = 4, .pressure = 1000}, 0.28);
-  StressesInside found = inside::halfspace_inside(load, inside::Side::rail);
-  add_body_stresses(found, load, block_body(), straight_line(8), folder / "blade.msh", without_progress);
+  std::vector<LoadedInside> loads{{load, inside::halfspace_inside(load, inside::Side::rail)}};
+  add_body_stresses(loads, block_body(), straight_line(8), folder / "blade.msh", without_progress);
+  const StressesInside& found = loads[0].stresses;
   const AreaStresses& area = found.areas.at(0);
   int beside = 0;
   for (std::size_t i = 0; i < area.points.size(); ++i) {
@@ -291,6 +292,36 @@ TEST(StressesInside, OfAThinBodyEndAtItsSides) {
   }
   EXPECT_GT(beside, 0);
   EXPECT_GT(peaks_of(found, area).von_mises_change, 0.02);
+}
+
+/// Two loads in one run have what each has alone: they share factors and the widest set of waves.
+TEST(StressesInside, OfTwoLoadsAreThoseOfEach) {
+  const Folder folder;
+  write_block_mesh(folder / "block.msh", 0.5, 6, 30);
+  const auto inside_of = [&](const std::vector<EllipticalLoad>& ellipses) {
+    std::vector<LoadedInside> loads;
+    for (const EllipticalLoad& ellipse : ellipses) {
+      const SurfaceTractions load = tractions_of(ellipse, 0.28);
+      loads.push_back({load, inside::halfspace_inside(load, inside::Side::rail)});
+    }
+    add_body_stresses(loads, block_body(), straight_line(30), folder / "block.msh", without_progress);
+    return loads;
+  };
+  const EllipticalLoad wide{.s = 0, .a = 4, .b = 4, .pressure = 1000, .friction = 0.3},
+      narrow{.s = 1, .a = 3, .b = 3.5, .pressure = 800};
+  const auto both = inside_of({wide, narrow});
+  for (std::size_t load = 0; load < 2; ++load) {
+    const auto alone = inside_of({load == 0 ? wide : narrow});
+    const AreaStresses &a = both[load].stresses.areas.at(0), &b = alone[0].stresses.areas.at(0);
+    ASSERT_EQ(a.points.size(), b.points.size());
+    double largest = 0, off = 0;
+    for (std::size_t i = 0; i < a.points.size(); ++i)
+      for (std::size_t j = 0; j < a.x.size(); ++j) {
+        largest = std::max(largest, von_mises(b.body[i][j]));
+        off = std::max(off, von_mises(difference(a.body[i][j], b.body[i][j])) - b.error[i]);
+      }
+    EXPECT_LT(off, 1e-4 * largest) << load;
+  }
 }
 
 /// Points that lie beside the body have no stresses there, and those of the half-space all the same.

@@ -202,8 +202,7 @@ ExitCode run(const CreepArguments& arguments) {
   if (!arguments.csv.empty())
     write_text(arguments.csv, [&](std::ostream& out) { write_curves(out, curves); });
   print_answer(headed(creep_curves_format).append(answer.record()), arguments.json,
-               curves_text(curves) +
-                   (answer.measured ? measured_text(*answer.measured, arguments.measured) : ""));
+               curves_text(curves) + (answer.measured ? measured_text(*answer.measured) : ""));
   warn(curves.solution.warnings);
   if (certified(answer))
     return success;
@@ -215,10 +214,10 @@ ExitCode run(const CreepArguments& arguments) {
 
 } // namespace
 
-std::string measured_text(const MeasuredForces& m, const std::string& file) {
+std::string measured_text(const MeasuredForces& m) {
   const auto force = static_cast<std::size_t>(m.force);
   std::string out = fmt::format("{} as measured ({}) and as computed\n  {:>12} {:>11}{} {:>11} {:>11}\n",
-                                name_of(m.force), file, name_of(m.which), "measured",
+                                name_of(m.force), m.source, name_of(m.which), "measured",
                                 m.scatter.empty() ? "" : "     scatter", "computed", "difference");
   for (std::size_t i = 0; i < m.computed.size(); ++i)
     out += fmt::format("  {:12.5g} {:11.5g}{} {:11.5g} {:11.4g}{}\n", m.creepage[i], m.measured[i],

@@ -15,6 +15,6 @@ Command add_creep_curves(CLI::App& program);
 CreepRange creep_range(CreepKind kind, const std::string& text);
 
 /// Measured forces beside computed ones, a line a point. `file`: that they were read from.
-std::string measured_text(const MeasuredForces& measured, const std::string& file);
+std::string measured_text(const MeasuredForces& measured);
 
 } // namespace bem_contact::app

@@ -59,8 +59,8 @@ std::string keys_text(const fit::CurveFit& f) {
 
 std::string pressures_text(const fit::MeasuredPressures& m) {
   const bool over_x = m.line == fit::PressureLine::over_x;
-  std::string out = fmt::format("pn as measured and as computed, MPa\n  {:>12} {:>11} {:>11} {:>11}\n",
-                                over_x ? "x, mm" : "s, mm", "measured", "computed", "difference");
+  std::string out = fmt::format("pn as measured ({}) and as computed, MPa\n  {:>12} {:>11} {:>11} {:>11}\n",
+                                m.source, over_x ? "x, mm" : "s, mm", "measured", "computed", "difference");
   for (std::size_t i = 0; i < m.computed.size(); ++i)
     out += fmt::format("  {:12.5g} {:11.5g} {:11.5g} {:11.4g}\n", over_x ? m.x[i] : m.s[i], m.measured[i],
                        m.computed[i], m.computed[i] - m.measured[i]);
@@ -68,12 +68,12 @@ std::string pressures_text(const fit::MeasuredPressures& m) {
 }
 
 std::string fit_text(const fit::CurveFit& f, const std::vector<std::string>& files) {
-  const std::string all = fmt::format("{}", fmt::join(files, ", "));
-  std::string out = fmt::format("Fitted to {} points ({}), model {}; {} sets of values were solved\n",
-                                f.measured.points(), all, name_of(f.solution.choice.model), f.tried);
+  std::string out =
+      fmt::format("Fitted to {} points ({}), model {}; {} sets of values were solved\n", f.measured.points(),
+                  fmt::join(files, ", "), name_of(f.solution.choice.model), f.tried);
   out += keys_text(f);
   for (const MeasuredForces& forces : f.measured.forces)
-    out += measured_text(forces, all);
+    out += measured_text(forces);
   for (const fit::MeasuredPressures& pressures : f.measured.pressures)
     out += pressures_text(pressures);
   for (const std::string& open : f.undetermined)

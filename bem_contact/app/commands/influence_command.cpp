@@ -1,4 +1,5 @@
 #include "bem_contact/app/command.hpp"
+#include "bem_contact/app/commands/influence_files.hpp"
 #include "bem_contact/app/commands/numbers_file.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
@@ -26,7 +27,10 @@ namespace {
 constexpr double largest_table = 4.0;
 
 constexpr const char* influence_help =
-    R"(An influence file holds a function. From it `expand` makes the influence numbers (Kalker's influence coefficients) of
+    R"(Influence files of standard bodies are prepared: `bem_contact influence list` names them, and this copies some:
+    bem_contact influence get 60E1 S1002 -o files
+
+An influence file holds a function. From it `expand` makes the influence numbers (Kalker's influence coefficients) of
 one grid: how far element (m, I) moves under 1 MPa on element (0, J). m counts elements along x; I and J count rows
 along the profile. `bem_contact info rail.h5` says the shortest --dx, and where on the profile the rows must lie.
 
@@ -184,7 +188,8 @@ std::string expand_command(const ExpandRequest& r) {
 } // namespace
 
 Command add_influence(CLI::App& program) {
-  CLI::App* influence = program.add_subcommand("influence", "Plain influence numbers from influence files");
+  CLI::App* influence = program.add_subcommand(
+      "influence", "Prepared influence files, and plain influence numbers from such files");
   influence->require_subcommand(1);
   influence->footer(influence_help);
   const auto request = std::make_shared<ExpandRequest>();
@@ -215,7 +220,9 @@ Command add_influence(CLI::App& program) {
   expand->footer(R"(Example:
     bem_contact influence expand data/influence/small_rail.h5 --dx 0.5 --ds 0.5 --mx 20 --my 30 -o numbers.h5
 `bem_contact influence --help` explains it and has more.)");
-  return {influence, [request] {
+  return {influence, [request, about_files = add_influence_files(*influence)] {
+            if (about_files())
+              return success;
             print_out("{}", expand_command(*request));
             return success;
           }};

@@ -1,20 +1,18 @@
 #include "bem_contact/app/command.hpp"
-#include "bem_contact/app/commands/body_stresses.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/print_answer.hpp"
 #include "bem_contact/app/output/repeat.hpp"
 #include "bem_contact/app/scene_options.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
-#include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/scene/sweep_check.hpp"
-#include "bem_contact/sequence/result_file.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
 #include "bem_contact/uses/shakedown/collective.hpp"
+#include "bem_contact/uses/shakedown/shakedown_in_body.hpp"
 #include "bem_contact/uses/sweep/sweep_inputs.hpp"
 
 #include <CLI/CLI.hpp>
@@ -23,6 +21,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <thread>
 
@@ -123,15 +122,17 @@ void of_sweep(const ShakedownArguments& arguments, const SceneText& text) {
   if (!arguments.model.empty())
     throw InputError("--model belongs to one scene", "a sweep names the model of its cases",
                      "Give solver.model.");
-  if (!arguments.body.empty())
-    throw InputError("--body belongs to one scene", "each case of a sweep would need solutions of its own",
-                     "Leave it out, or give the scene without [sweep].");
   check_values(sweep);
   require_named_outputs(files_read(arguments.scene, sweep), {output_of(arguments)});
   const shakedown::ShakedownProperties properties = arguments.properties();
   const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  say(shakedown_of(sweep, properties, threads), properties, arguments,
-      [&] { return headed(shakedown_format, given_sweep(sweep, ""), arguments.output); });
+  const auto head = [&] { return headed(shakedown_format, given_sweep(sweep, ""), arguments.output); };
+  if (arguments.body.empty())
+    return say(shakedown_of(sweep, properties, threads), properties, arguments, head);
+  const auto in_body = [&](std::span<const SceneResult> results) {
+    return shakedown_in_body(results, arguments.body, properties);
+  };
+  say(shakedown_of(sweep, properties, in_body, shakedown::most_cases_in_body), properties, arguments, head);
 }
 
 void of_scene(const ShakedownArguments& arguments) {
@@ -148,10 +149,7 @@ void of_scene(const ShakedownArguments& arguments) {
   const auto head = [&] { return headed(shakedown_format, given, arguments.output); };
   if (arguments.body.empty())
     return say(shakedown_of(result, properties), properties, arguments, head);
-  const TemporaryFolder folder;
-  const std::filesystem::path file = folder / "result.h5";
-  record::write_hdf5(file, result_file(result, given, file.string()));
-  say(shakedown_of(stresses_in_body(file, arguments.body), properties), properties, arguments, head);
+  say(shakedown_in_body({&result, 1}, arguments.body, properties).front(), properties, arguments, head);
 }
 
 ExitCode run(const ShakedownArguments& arguments) {

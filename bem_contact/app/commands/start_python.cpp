@@ -3,6 +3,7 @@
 #include "bem_contact/base/child_process.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/program.hpp"
 
 #include <cstdio>
 #include <cstdlib>

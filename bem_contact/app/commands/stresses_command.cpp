@@ -1,10 +1,9 @@
 #include "bem_contact/app/command.hpp"
-#include "bem_contact/app/commands/body_stresses.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/print_answer.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
-#include "bem_contact/inside/stresses_inside.hpp"
+#include "bem_contact/inside/stresses_in_body.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
@@ -47,7 +46,7 @@ inside::StressesInside stresses_of(const StressesArguments& arguments) {
     if (arguments.wheel)
       throw InputError("--wheel cannot be given with --body",
                        "the body's profile says which of the two it is", "Leave it out.");
-    return stresses_in_body(arguments.file, arguments.body, arguments.points);
+    return inside::stresses_in_body(arguments.file, arguments.body, arguments.points);
   }
   const inside::Side side = arguments.wheel ? inside::Side::wheel : inside::Side::rail;
   const std::vector<inside::BelowSurface> own = arguments.points.empty()

@@ -185,6 +185,7 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   warn_of_model(out);
   out.warnings.add(input_warnings(asked.scene, asked.setup));
   out.bodies.rail_poisson = asked.setup.rail.material.poisson;
+  out.bodies.wheel_poisson = asked.setup.wheel.material.poisson;
   out.motion.left = asked.scene.position.side == WheelSide::left;
   out.motion.reference = asked.setup.reference();
   if (const WheelRailGeometry* placed = asked.setup.wheel_rail()) {

@@ -38,7 +38,8 @@ MeasuredForces measured_forces(const std::string& source, const std::vector<std:
   const bool scatter = columns.size() == 3 && columns[2] == "scatter";
   if (!which || !force || (columns.size() > 2 && !scatter))
     refuse_columns(source, columns);
-  MeasuredForces out{.which = *which, .force = *force, .creepage = {}, .measured = {}, .scatter = {}};
+  MeasuredForces out{
+      .which = *which, .force = *force, .creepage = {}, .measured = {}, .scatter = {}, .source = source};
   for (const std::vector<double>& row : rows) {
     out.creepage.push_back(row[0]);
     out.measured.push_back(row[1]);
@@ -67,6 +68,13 @@ CreepCurves creep_curves_beside(MeasuredForces& measured, const SceneFile& scene
   return out;
 }
 
+Differences differences_of(const MeasuredForces& m) {
+  std::vector<double> computed;
+  for (std::size_t i = 0; i < m.computed.size(); ++i)
+    computed.push_back(force_of(m, i).value);
+  return {computed, m.measured, m.scatter};
+}
+
 record::Record record_of(const MeasuredForces& m) {
   using record::Column;
   const char* unit = m.force == CreepForce::Mz ? "N mm" : "N";
@@ -74,34 +82,29 @@ record::Record record_of(const MeasuredForces& m) {
       measured{"measured", unit, "force on the rail", m.measured},
       scatter{"scatter", unit, "standard deviation of what was measured", m.scatter},
       computed{"computed", unit, "force on the rail", {}},
-      error{"computed_error", unit, record::error_meaning, {}},
-      difference{"difference", unit, "computed less measured", {}};
-  double sum = 0, largest = 0;
-  std::size_t within = 0;
+      error{"computed_error", unit, record::error_meaning, {}};
   for (std::size_t i = 0; i < m.computed.size(); ++i) {
-    const Measured& force = force_of(m, i);
-    const double off = force.value - m.measured[i];
-    computed.values.push_back(force.value);
-    error.values.push_back(force.error);
-    difference.values.push_back(off);
-    sum += off;
-    largest = std::max(largest, std::abs(off));
-    within += !m.scatter.empty() && std::abs(off) <= m.scatter[i];
+    computed.values.push_back(force_of(m, i).value);
+    error.values.push_back(force_of(m, i).error);
   }
+  const Differences differences = differences_of(m);
+  const Column difference{"difference", unit, "computed less measured", differences.each};
   record::Table table{"point", {creepage, measured}};
   if (!m.scatter.empty())
     table.columns.push_back(scatter);
   for (const Column& column : {computed, error, difference})
     table.columns.push_back(column);
-  record::Record out{
-      {"creepage", record::Text{std::string(name_of(m.which))}},
-      {"force", record::Text{std::string(name_of(m.force))}},
-      {"mean_difference", record::Number{sum / double(m.computed.size()), unit, "computed less measured"}},
-      {"largest_difference", record::Number{largest, unit, "of the magnitudes"}},
-      {"certified", certified(m)}};
+  record::Record out{{"creepage", record::Text{std::string(name_of(m.which))}},
+                     {"force", record::Text{std::string(name_of(m.force))}},
+                     {"mean_difference", record::Number{differences.mean, unit, "computed less measured"}},
+                     {"largest_difference", record::Number{differences.largest, unit, "of the magnitudes"}},
+                     {"certified", certified(m)}};
   if (!m.scatter.empty())
-    out.add("within_scatter",
-            record::Number{double(within), "1", "points whose difference is within their scatter", {}, true});
+    out.add("within_scatter", record::Number{double(differences.within_scatter),
+                                             "1",
+                                             "points whose difference is within their scatter",
+                                             {},
+                                             true});
   return out.add("points", std::move(table));
 }
 

@@ -2,6 +2,7 @@
 
 #include "bem_contact/record/record.hpp"
 #include "bem_contact/uses/curves/creep_curves.hpp"
+#include "bem_contact/uses/curves/differences.hpp"
 
 #include <filesystem>
 #include <string>
@@ -16,6 +17,7 @@ struct MeasuredForces {
   std::vector<double> creepage;          ///< as motion.xi, eta, phi mean it: 1, phi: 1/mm
   std::vector<double> measured;          ///< on the rail at each creepage: N, Mz: N mm
   std::vector<double> scatter;           ///< standard deviation of each; empty: not given
+  std::string source = {};               ///< name of its file
   std::vector<CreepPoint> computed = {}; ///< at the same creepages
 };
 
@@ -29,6 +31,9 @@ MeasuredForces measured_forces(const std::string& source, const std::vector<std:
 /// Reads a CSV file whose columns are a creepage, a force and, where it is known, "scatter": "xi,Fx,scatter".
 /// Throws InputError for other columns and what read_csv() refuses.
 MeasuredForces read_measured_forces(const std::filesystem::path& file);
+
+/// Of the force that was measured.
+Differences differences_of(const MeasuredForces& measured);
 
 /// creep_curves() with the points at which `measured` was measured, which get their `computed`.
 CreepCurves creep_curves_beside(MeasuredForces& measured, const SceneFile& scene,

@@ -227,13 +227,6 @@ Points points_of(const Measurements& all) {
   return out;
 }
 
-double root_of_mean_square(std::span<const double> differences) {
-  double squares = 0;
-  for (const double off : differences)
-    squares += off * off;
-  return std::sqrt(squares / double(differences.size()));
-}
-
 /// The curve over the first forces at the found values, and the band of what else the points allow.
 void add_curve(CurveFit& out, FittedScene& fitted, const Solution& solution, const Spread& spread,
                std::span<const Unknown> unknowns, const std::atomic<bool>* stop) {
@@ -311,20 +304,6 @@ Measurements read_measured(const std::vector<std::string>& files) {
     add_measured(out, file, columns, read_csv(file, columns));
   }
   return out;
-}
-
-double misfit_of(const MeasuredForces& m) {
-  std::vector<double> off;
-  for (std::size_t i = 0; i < m.measured.size(); ++i)
-    off.push_back(m.computed[i].forces[static_cast<std::size_t>(m.force)] - m.measured[i]);
-  return root_of_mean_square(off);
-}
-
-double misfit_of(const MeasuredPressures& m) {
-  std::vector<double> off;
-  for (std::size_t i = 0; i < m.measured.size(); ++i)
-    off.push_back(m.computed[i] - m.measured[i]);
-  return root_of_mean_square(off);
 }
 
 CurveFit fit_curve(const Question& question, const std::atomic<bool>* stop) {

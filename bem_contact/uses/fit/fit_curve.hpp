@@ -66,10 +66,6 @@ struct CurveFit {
 /// Whether the search ended and all that is shown is certified.
 bool certified(const CurveFit& fit);
 
-/// Root of the mean square of computed less measured, N, N mm or MPa.
-double misfit_of(const MeasuredForces& forces);
-double misfit_of(const MeasuredPressures& pressures);
-
 /// Fits keys to measurements by least squares, points weighted by one over their scatter where it is given,
 /// else by one over the largest value of their table. Pressures are those at the scene's own creepages. The
 /// model, the size of the elements and where a wheel stands are those of the first guess

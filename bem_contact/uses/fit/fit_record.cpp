@@ -50,8 +50,8 @@ std::string numbered(const char* name, std::size_t index) {
   return index == 0 ? name : fmt::format("{}_{}", name, index + 1);
 }
 
-Number misfit(double value, const char* unit) {
-  return {value, unit, "root of the mean square of computed less measured"};
+Number misfit(const Differences& differences, const char* unit) {
+  return {differences.root_mean_square, unit, "root of the mean square of computed less measured"};
 }
 
 /// Each table of measured forces and pressures with what is computed there.
@@ -59,10 +59,12 @@ void add_measurements(const Measurements& all, Record& out) {
   for (std::size_t k = 0; k < all.forces.size(); ++k)
     out.add(numbered("measured", k),
             bem_contact::record_of(all.forces[k])
-                .add("misfit", misfit(misfit_of(all.forces[k]), unit_of(all.forces[k]))));
-  for (std::size_t k = 0; k < all.pressures.size(); ++k)
-    out.add(numbered("pressures", k),
-            record_of(all.pressures[k]).add("misfit", misfit(misfit_of(all.pressures[k]), "MPa")));
+                .add("misfit", misfit(differences_of(all.forces[k]), unit_of(all.forces[k]))));
+  for (std::size_t k = 0; k < all.pressures.size(); ++k) {
+    const MeasuredPressures& m = all.pressures[k];
+    const Differences differences(m.computed, m.measured, m.scatter);
+    out.add(numbered("pressures", k), record_of(m).add("misfit", misfit(differences, "MPa")));
+  }
 }
 
 /// What there is without creep curves.
@@ -95,7 +97,7 @@ Record record_of(const CurveFit& fit) {
     return out;
   }
   const MeasuredForces& first = fit.measured.forces.front();
-  out.add("misfit", misfit(misfit_of(first), unit_of(first)));
+  out.add("misfit", misfit(differences_of(first), unit_of(first)));
   out.add("band", band_table(fit));
   const Record curves = bem_contact::record_of(*fit.curves);
   for (const record::Entry& entry : curves.entries())

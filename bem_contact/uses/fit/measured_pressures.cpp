@@ -1,6 +1,7 @@
 #include "bem_contact/uses/fit/measured_pressures.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/uses/curves/differences.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,8 @@ MeasuredPressures measured_pressures(const std::string& source, const std::vecto
   if (scatter)
     names.pop_back();
   using Names = std::vector<std::string>;
-  MeasuredPressures out{.line = PressureLine::over_s, .x = {}, .s = {}, .measured = {}, .scatter = {}};
+  MeasuredPressures out{
+      .line = PressureLine::over_s, .x = {}, .s = {}, .measured = {}, .scatter = {}, .source = source};
   if (names == Names{"x", "pn"})
     out.line = PressureLine::over_x;
   else if (names == Names{"x", "s", "pn"})
@@ -117,16 +119,9 @@ record::Record record_of(const MeasuredPressures& m) {
   Column place{over_x ? "x" : "s", "mm", "where it was measured", over_x ? m.x : m.s},
       measured{"measured", "MPa", "pressure", m.measured},
       scatter{"scatter", "MPa", "standard deviation of what was measured", m.scatter},
-      computed{"computed", "MPa", "pressure", m.computed},
-      difference{"difference", "MPa", "computed less measured", {}};
-  double sum = 0, largest = 0, within = 0;
-  for (std::size_t i = 0; i < m.computed.size(); ++i) {
-    const double off = m.computed[i] - m.measured[i];
-    difference.values.push_back(off);
-    sum += off;
-    largest = std::max(largest, std::abs(off));
-    within += !m.scatter.empty() && std::abs(off) <= m.scatter[i];
-  }
+      computed{"computed", "MPa", "pressure", m.computed};
+  const Differences differences(m.computed, m.measured, m.scatter);
+  const Column difference{"difference", "MPa", "computed less measured", differences.each};
   record::Table table{"point", {place}};
   if (m.line == PressureLine::places)
     table.columns.push_back({"x", "mm", "where it was measured", m.x});
@@ -135,14 +130,16 @@ record::Record record_of(const MeasuredPressures& m) {
     table.columns.push_back(scatter);
   table.columns.push_back(computed);
   table.columns.push_back(difference);
-  record::Record out{
-      {"over", record::Text{over_x ? "x" : "s"}},
-      {"mean_difference", record::Number{sum / double(m.computed.size()), "MPa", "computed less measured"}},
-      {"largest_difference", record::Number{largest, "MPa", "of the magnitudes"}},
-      {"certified", m.certified}};
+  record::Record out{{"over", record::Text{over_x ? "x" : "s"}},
+                     {"mean_difference", record::Number{differences.mean, "MPa", "computed less measured"}},
+                     {"largest_difference", record::Number{differences.largest, "MPa", "of the magnitudes"}},
+                     {"certified", m.certified}};
   if (!m.scatter.empty())
-    out.add("within_scatter",
-            record::Number{within, "1", "points whose difference is within their scatter", {}, true});
+    out.add("within_scatter", record::Number{double(differences.within_scatter),
+                                             "1",
+                                             "points whose difference is within their scatter",
+                                             {},
+                                             true});
   return out.add("points", std::move(table));
 }
 

@@ -3,7 +3,6 @@
 #include "bem_contact/record/record.hpp"
 #include "bem_contact/sequence/scene_result.hpp"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,7 @@ struct MeasuredPressures {
   std::vector<double> x, s;     ///< where, as results have them, mm; the one not given is empty
   std::vector<double> measured; ///< MPa
   std::vector<double> scatter;  ///< standard deviation of each; empty: not given
+  std::string source = {};      ///< name of its file
   std::vector<double> computed = {};
   bool certified = false; ///< `computed` is of a certified result
 };
@@ -33,7 +33,7 @@ MeasuredPressures measured_pressures(const std::string& source, const std::vecto
 /// Pressures of a result at these places, linear between the middles of its elements; 0 beside its grid.
 std::vector<double> pressures_at(const MeasuredPressures& places, const SceneResult& result);
 
-/// As record_of(MeasuredForces): force "pn" over the creepage "s" or "x".
+/// As record_of(MeasuredForces), with the coordinate in place of creepage and force: "over" is "s" or "x".
 record::Record record_of(const MeasuredPressures& measured);
 
 } // namespace bem_contact::fit

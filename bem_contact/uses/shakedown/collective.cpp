@@ -2,12 +2,12 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/parallel.hpp"
+#include "bem_contact/base/place_in_table.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/sequence/load_collective.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/uses/shakedown/fatigue_limits.hpp"
 #include "bem_contact/uses/shakedown/patch_columns.hpp"
-#include "bem_contact/uses/shakedown/place_in_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +90,8 @@ std::size_t CollectiveShakedown::count(Yielding yielding) const {
   return static_cast<std::size_t>(std::ranges::count(patches, yielding, &CollectivePatch::yielding));
 }
 
-CollectiveShakedown shakedown_of(const SweepFile& sweep, const ShakedownProperties& properties, int threads,
+CollectiveShakedown shakedown_of(const SweepFile& sweep, const ShakedownProperties& properties,
+                                 const ShakedownOfCases& of_cases, int at_once,
                                  const std::atomic<bool>* stop) {
   validate(properties);
   if (sweep.first_scene().wheelset.force)
@@ -101,20 +102,14 @@ CollectiveShakedown shakedown_of(const SweepFile& sweep, const ShakedownProperti
   out.cases = sweep.size();
   std::vector<Case> cases;
   Sequence sequence({.displacements = false});
-  const auto at_once = static_cast<std::size_t>(std::max(1, threads));
-  for (std::size_t from = 0; from < sweep.size(); from += at_once) {
+  for (std::size_t from = 0; from < sweep.size(); from += static_cast<std::size_t>(at_once)) {
+    const std::size_t end = std::min(from + static_cast<std::size_t>(at_once), sweep.size());
     std::vector<SceneResult> results;
-    for (std::size_t i = from; i < std::min(from + at_once, sweep.size()); ++i)
+    for (std::size_t i = from; i < end; ++i)
       results.push_back(solve_of_collective(sequence, sweep, i, stop));
-    cases.resize(from + results.size());
-    in_parts(threads, static_cast<int>(results.size()), [&](int first, int end, int) {
-      for (int i = first; i < end; ++i)
-        cases[from + static_cast<std::size_t>(i)].found =
-            shakedown_of(results[static_cast<std::size_t>(i)], properties);
-    });
+    for (Shakedown& found : of_cases(results))
+      cases.push_back({std::move(found), sweep.weight(cases.size())});
   }
-  for (std::size_t i = 0; i < cases.size(); ++i)
-    cases[i].weight = sweep.weight(i);
   out.envelope = envelope_of(cases, properties);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     std::size_t number = 0;
@@ -126,6 +121,19 @@ CollectiveShakedown shakedown_of(const SweepFile& sweep, const ShakedownProperti
     out.too_small += cases[i].found.too_small;
   }
   return out;
+}
+
+CollectiveShakedown shakedown_of(const SweepFile& sweep, const ShakedownProperties& properties, int threads,
+                                 const std::atomic<bool>* stop) {
+  const auto of_halfspaces = [&](std::span<const SceneResult> results) {
+    std::vector<Shakedown> out(results.size());
+    in_parts(threads, static_cast<int>(results.size()), [&](int first, int end, int) {
+      for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(end); ++i)
+        out[i] = shakedown_of(results[i], properties);
+    });
+    return out;
+  };
+  return shakedown_of(sweep, properties, of_halfspaces, std::max(1, threads), stop);
 }
 
 std::string in_words(const CollectiveShakedown& found, const ShakedownProperties& properties) {

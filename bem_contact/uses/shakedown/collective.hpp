@@ -4,11 +4,13 @@
 
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
 /// A load collective: how do its cases together strain the steel?
 namespace bem_contact {
+struct SceneResult;
 struct SweepFile;
 } // namespace bem_contact
 
@@ -38,10 +40,18 @@ struct CollectiveShakedown {
   std::size_t count(Yielding yielding) const;
 };
 
-/// Solves each case of a sweep, and asks for the shakedown of each. Damages of cases sum up at each point
-/// after Miner (Dang Van's stress against the Woehler line of fatigue_limits.hpp). `threads` work side by
-/// side; the numbers do not depend on how many. Throws InputError for wrong properties, ConvergenceError
-/// where a case has no certified result, and Stopped soon after another thread sets `stop`.
+/// What some cases do: their results in, the shakedown of each out, in the same order.
+using ShakedownOfCases = std::function<std::vector<Shakedown>(std::span<const SceneResult>)>;
+
+/// Solves each case of a sweep, and asks `of_cases` for the shakedown of each, `at_once` cases at a time.
+/// Damages of cases sum up at each point after Miner (Dang Van's stress against the Woehler line of
+/// fatigue_limits.hpp). Throws InputError for wrong properties, ConvergenceError where a case has no
+/// certified result, and Stopped soon after another thread sets `stop`.
+CollectiveShakedown shakedown_of(const SweepFile& sweep, const ShakedownProperties& properties,
+                                 const ShakedownOfCases& of_cases, int at_once,
+                                 const std::atomic<bool>* stop = nullptr);
+
+/// That of half-spaces. `threads` work side by side; the numbers do not depend on how many.
 CollectiveShakedown shakedown_of(const SweepFile& sweep, const ShakedownProperties& properties,
                                  int threads = 1, const std::atomic<bool>* stop = nullptr);
 

@@ -1,8 +1,8 @@
 #include "bem_contact/uses/shakedown/initial_stress.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/place_in_table.hpp"
 #include "bem_contact/scene/csv_table.hpp"
-#include "bem_contact/uses/shakedown/place_in_table.hpp"
 
 #include <algorithm>
 #include <cmath>

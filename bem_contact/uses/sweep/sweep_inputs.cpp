@@ -112,6 +112,9 @@ std::set<std::string> named_inputs(const SceneText& given) {
     add(named_files(parse_scene_file(given)));
   if (has_sweep(given, "table"))
     add_lists(parse_sweep_file(given, "table"));
+  for (const std::string_view table : command_tables)
+    for (const std::string& file : files_of_table(given, table))
+      names.insert(file);
   return names;
 }
 

@@ -21,7 +21,7 @@ std::vector<std::filesystem::path> files_read(const std::filesystem::path& file,
 GivenScene given_sweep(const SweepFile& sweep, const std::string& model);
 
 /// All files that a scene names, one or many cases of it, whether they are there or not: those of the lists
-/// of [sweep] and [table], too.
+/// of [sweep] and [table], and of the tables of commands that are there, too.
 std::set<std::string> named_inputs(const SceneText& scene);
 
 /// Everything that the results depend on: name -> what tells one from another. Names are "program" (version

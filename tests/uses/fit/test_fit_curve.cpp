@@ -59,7 +59,7 @@ TEST(FitCurve, FindsWhatTheProgramWasGiven) {
   EXPECT_NEAR(f.keys[1].value / friction, 1, 1e-4);
   EXPECT_EQ(f.keys[0].unit, "mm3/N");
   EXPECT_EQ(f.keys[0].start, 1e-4);
-  EXPECT_LT(fit::misfit_of(f.measured.forces.at(0)), 1e-4 * friction * load);
+  EXPECT_LT(differences_of(f.measured.forces.at(0)).root_mean_square, 1e-4 * friction * load);
   EXPECT_THAT(f.undetermined, IsEmpty());
   EXPECT_EQ(f.band.size(), f.curves->curves.at(0).points.size());
   EXPECT_EQ(f.scene.layer.compliance, f.keys[0].value);
@@ -220,10 +220,9 @@ TEST(FitCurve, TakesSeveralTablesAndATwinDisc) {
   const std::vector<double> slips{5e-4, 1e-3, 2e-3, 4e-3, 1e-2, 3e-2};
   MeasuredForces fx{
       .which = CreepKind::xi, .force = CreepForce::Fx, .creepage = slips, .measured = {}, .scatter = {}};
-  for (const CreepPoint& p :
-       creep_curves(parse_scene_file(discs(0.25, 900)), std::vector<CreepRange>{{CreepKind::xi, slips}})
-           .curves[0]
-           .points)
+  const CreepCurves right =
+      creep_curves(parse_scene_file(discs(0.25, 900)), std::vector<CreepRange>{{CreepKind::xi, slips}});
+  for (const CreepPoint& p : right.curves[0].points)
     fx.measured.push_back(p.forces[0]);
   MeasuredForces again = fx;
   again.creepage.resize(3);

@@ -1,4 +1,4 @@
-/* What this compiler's libstdc++ takes of a newer glibc than that of the portable program (toolchain.cmake). */
+/* What this compiler's libstdc++ takes of a newer glibc than that of the portable program (linux.cmake). */
 #include <stdint.h>
 #include <stdlib.h>
 #include <unistd.h>

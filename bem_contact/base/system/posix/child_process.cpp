@@ -1,6 +1,7 @@
 #include "bem_contact/base/child_process.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/program.hpp"
 #include "bem_contact/base/system/posix/close_others.hpp"
 
 #include <fcntl.h>
@@ -162,11 +163,6 @@ bool run_and_wait(const std::vector<std::string>& words, std::string& why) {
 
 void set_variable(const char* name, const std::filesystem::path& value) {
   setenv(name, value.c_str(), 1);
-}
-
-std::filesystem::path this_program() {
-  std::error_code unknown;
-  return std::filesystem::read_symlink("/proc/self/exe", unknown);
 }
 
 std::filesystem::path program_named(std::string_view name) {

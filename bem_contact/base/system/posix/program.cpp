@@ -71,9 +71,8 @@ void leave_blas_threads_where_memory_is_limited(char** argv) {
   const char* now = std::getenv(threads);
   if ((!limited(RLIMIT_AS) && !limited(RLIMIT_DATA)) || (now && std::string_view(now) == "1"))
     return;
-  std::error_code unknown;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
-  if (!unknown && setenv(threads, "1", 1) == 0)
+  const std::filesystem::path program = this_program();
+  if (!program.empty() && setenv(threads, "1", 1) == 0)
     execv(program.c_str(), argv); // where that fails, all is as before
 }
 
@@ -84,6 +83,11 @@ void meet_file_size_limit() {
 }
 
 } // namespace
+
+std::filesystem::path this_program() {
+  std::error_code unknown;
+  return std::filesystem::read_symlink("/proc/self/exe", unknown);
+}
 
 void keep_freed_memory() {
 #ifdef M_TRIM_THRESHOLD

@@ -9,7 +9,7 @@
     columns = bem_contact.sweep("scene.toml")                       # a dict of lists, one number for each case
 
 The package that is built from the sources (bem_contact/python) has more: arrays, tables, pictures, executors. What is here has the same
-names there. Errors are InputError (change the scene), NotConverged, or RuntimeError.
+names there. Errors are InputError (change the scene), ConvergenceError, or RuntimeError.
 """
 
 import csv
@@ -22,7 +22,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-__all__ = ["Contact", "InputError", "NotConverged", "Result", "compare", "conicity", "main", "program_file", "report", "run", "solve",
+__all__ = ["Contact", "InputError", "ConvergenceError", "Result", "compare", "conicity", "main", "program_file", "report", "run", "solve",
            "sweep", "table", "wear"]
 
 _FOLDER = Path(__file__).resolve().parent
@@ -33,12 +33,12 @@ class InputError(ValueError):
     """The scene or a file is wrong."""
 
 
-class NotConverged(RuntimeError):
+class ConvergenceError(RuntimeError):
     """No certified result was found."""
 
 
 def _fail(code, message):
-    raise {_WRONG_INPUT: InputError, _NOT_CONVERGED: NotConverged}.get(code, RuntimeError)(message)
+    raise {_WRONG_INPUT: InputError, _NOT_CONVERGED: ConvergenceError}.get(code, RuntimeError)(message)
 
 
 def _library():

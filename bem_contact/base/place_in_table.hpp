@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace bem_contact::shakedown {
+namespace bem_contact {
 
 /// Where a coordinate lies between the rising lines of a table: the line before it, and the share of the way
 /// to the next one. Before the first and behind the last line it is that line.
@@ -22,4 +22,4 @@ struct PlaceInTable {
   }
 };
 
-} // namespace bem_contact::shakedown
+} // namespace bem_contact

@@ -1,4 +1,4 @@
-#include "bem_contact/app/commands/body_stresses.hpp"
+#include "bem_contact/inside/stresses_in_body.hpp"
 
 #include "bem_contact/base/child_process.hpp"
 #include "bem_contact/base/error.hpp"
@@ -8,9 +8,10 @@
 #include "bem_contact/record/hdf5.hpp"
 
 #include <fmt/format.h>
+#include <utility>
 #include <vector>
 
-namespace bem_contact::app {
+namespace bem_contact::inside {
 
 namespace {
 
@@ -29,19 +30,32 @@ void run(const char* program, std::vector<std::string> arguments, const std::fil
 
 } // namespace
 
-inside::StressesInside stresses_in_body(const std::filesystem::path& result,
-                                        const std::filesystem::path& body, const std::string& points) {
+void stresses_in_body(const std::vector<std::filesystem::path>& results, const std::filesystem::path& body,
+                      const std::string& points,
+                      const std::function<void(std::size_t, StressesInside)>& take) {
   if (!is_regular(body))
     throw InputError(fmt::format("There is no body file '{}'", body.string()), "no file has this name",
                      "Give one like data/bodies/small_rail.toml.");
   const TemporaryFolder folder;
-  const std::string mesh = (folder / "body.msh").string(), out = (folder / "stresses.h5").string();
+  const std::string mesh = (folder / "body.msh").string();
   run("mesh_body", {body.string(), "-o", mesh}, body, folder);
-  std::vector<std::string> arguments{body.string(), mesh, "--stresses", out, "--result", result.string()};
+  const auto output = [&](std::size_t i) { return folder / fmt::format("stresses_{}.h5", i); };
+  std::vector<std::string> arguments{body.string(), mesh};
+  for (std::size_t i = 0; i < results.size(); ++i)
+    arguments.insert(arguments.end(), {"--stresses", output(i).string(), "--result", results[i].string()});
   if (!points.empty())
     arguments.insert(arguments.end(), {"--points", points});
   run("fem_influence", std::move(arguments), body, folder);
-  return inside::stresses_from(record::read_hdf5(out));
+  for (std::size_t i = 0; i < results.size(); ++i)
+    take(i, stresses_from(record::read_hdf5(output(i))));
 }
 
-} // namespace bem_contact::app
+StressesInside stresses_in_body(const std::filesystem::path& result, const std::filesystem::path& body,
+                                const std::string& points) {
+  StressesInside out;
+  stresses_in_body(std::vector{result}, body, points,
+                   [&](std::size_t, StressesInside one) { out = std::move(one); });
+  return out;
+}
+
+} // namespace bem_contact::inside

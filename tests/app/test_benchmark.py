@@ -1,0 +1,78 @@
+"""data/benchmark: its tables are what the scenes give, and agree with each other. Coarse half-spaces alone are solved again, two seconds."""
+
+import importlib.util
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+from importlib.machinery import SourceFileLoader
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = os.environ["BEM_CONTACT"]
+DATA = ROOT / "data" / "benchmark"
+TOLERANCE = 1e-4  # relative: other machines have other last digits
+
+
+def maker():
+    loader = SourceFileLoader("benchmark", str(ROOT / "tools" / "makers" / "benchmark"))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("benchmark", loader))
+    loader.exec_module(module)
+    return module
+
+
+class Benchmark(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.maker = maker()
+        cls.rows = cls.maker.table(DATA / "results.csv")
+
+    def test_coarse_half_spaces_give_the_same_again(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.maker.BIN = Path(folder)
+            (Path(folder) / "bem_contact").symlink_to(PROGRAM)
+            usual = self.maker.scene_of
+            self.maker.scene_of = lambda case: re.sub(r'(, |\w+\.)?influence = "[^"]*"(, )?', "", usual(case))
+            self.maker.files_of = lambda case: []
+            for case in self.maker.CASES:
+                length = self.maker.LENGTH.get(case, self.maker.USUAL_LENGTH)
+                found = self.maker.numbers_of(self.maker.solve(case, "halfspace", length, [], Path(folder)))
+                kept = [row for row in self.rows if (row["case"], row["model"], row["length_mm"]) == (case, "halfspace", f"{length:g}")]
+                self.assertGreater(len(kept), 4, case)
+                for row in kept:
+                    with self.subTest(case=case, quantity=row["quantity"]):
+                        value = float(row["value"])
+                        self.assertAlmostEqual(found[row["quantity"]][0], value, delta=TOLERANCE * abs(value))
+            self.maker.scene_of = usual
+
+    def test_tables_agree(self):
+        cases = self.maker.table(DATA / "cases.csv")
+        self.assertEqual([row["case"] for row in cases], list(self.maker.CASES))
+        page = (DATA / "RESULTS.md").read_text()
+        for row in self.rows:
+            if row["model"] == "fem":
+                self.assertIn(self.maker.with_bound(row), page, row)
+        known = {(row["case"], row["quantity"]) for row in self.rows}
+        for form in [DATA / "form.csv", *(DATA / "contributed").glob("*.csv")]:
+            self.assertLessEqual({(row["case"], row["quantity"]) for row in self.maker.table(form)}, known, form)
+
+    def test_stated_errors_hold(self):
+        counted = re.search(r"Of the (\d+) errors .*?, (\d+) hold", self.maker.stated_errors(self.rows))
+        self.assertGreaterEqual(int(counted[2]), 0.95 * int(counted[1]))
+
+    def test_a_form_is_compared(self):
+        done = subprocess.run([ROOT / "tools" / "makers" / "benchmark", "--compare", DATA / "contributed" / "analysis_3d.csv"],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("gauge_corner, pmax: 2010 MPa", done.stdout)
+        with tempfile.TemporaryDirectory() as folder:
+            wrong = Path(folder) / "form.csv"
+            wrong.write_text("case,quantity,unit,value,bound\ntread,colour,1,3,\n")
+            done = subprocess.run([ROOT / "tools" / "makers" / "benchmark", "--compare", wrong], capture_output=True, text=True)
+            self.assertNotEqual(done.returncode, 0)
+            self.assertIn("no 'colour'", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
