@@ -38,7 +38,7 @@ void tell(Told kind, std::string_view text) {
     return;
   std::string line = fmt::format("{}\t{}", name_of(kind), text);
   std::ranges::replace(line, '\n', ' ');
-  std::ofstream(std::filesystem::path(file), std::ios::app)
+  std::ofstream(std::filesystem::path(file), std::ios::app | std::ios::binary)
       << line + "\n"; // in one piece: others may write to it
 }
 

@@ -1,10 +1,9 @@
 #include "bem_contact/base/progress.hpp"
 
 #include "bem_contact/base/message_file.hpp"
+#include "bem_contact/base/system/files.hpp"
 
 #include <fmt/format.h>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +19,7 @@ std::string duration_text(double seconds) {
 }
 
 Progress::Progress(std::string label, std::size_t total)
-    : Progress(std::move(label), total, std::cerr, isatty(STDERR_FILENO) == 1) {}
+    : Progress(std::move(label), total, std::cerr, system::standard_error_is_terminal()) {}
 
 Progress::Progress(std::string label, std::size_t total, std::ostream& out, bool terminal)
     : label_(std::move(label)), total_(std::max<std::size_t>(total, 1)), out_(out), terminal_(terminal) {

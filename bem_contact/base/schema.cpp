@@ -35,6 +35,21 @@ void Schema::add_key(std::string path, SchemaTarget target, std::string doc, Key
   keys_.push_back({std::move(path), std::move(doc), target, std::move(rule), std::move(text)});
 }
 
+void Schema::add(std::string path, std::vector<std::string>& values, std::vector<std::string> names,
+                 std::string none, std::string doc, KeyRule rule) {
+  names.insert(names.begin(), none);
+  const auto set = [&values, names](const std::vector<std::size_t>& at) {
+    values.clear();
+    for (const std::size_t i : at)
+      if (i > 0)
+        values.push_back(names[i]);
+  };
+  const auto text = [&values, none] {
+    return values.empty() ? none : fmt::format("{}", fmt::join(values, ", "));
+  };
+  add_key(std::move(path), NamedChoice{std::move(names), text, set, true}, std::move(doc), std::move(rule));
+}
+
 const Schema::Key* Schema::find(std::string_view path) const {
   const auto key = std::find_if(keys_.begin(), keys_.end(), [&](const Key& k) {
     return k.path == path || (!k.rule.formerly.empty() && k.rule.formerly == path);

@@ -48,7 +48,7 @@ struct NamedChoice {
   std::vector<std::string> names;
   std::function<std::string()> text;
   std::function<void(const std::vector<std::size_t>&)> set;
-  bool several = false; ///< one name or more, with commas between
+  bool several = false; ///< one name or more, with commas between, or as a list
 };
 
 /// What a key is bound to. An optional is empty if the file does not have the key (KeyRule::zero_is_none).
@@ -130,6 +130,9 @@ public:
     choice.names.insert(choice.names.end(), EnumNames<E>::names.begin(), EnumNames<E>::names.end());
     add_key(std::move(path), std::move(choice), std::move(doc), std::move(rule));
   }
+  /// Some of these names. `none`: what the file writes for the empty list.
+  void add(std::string path, std::vector<std::string>& values, std::vector<std::string> names,
+           std::string none, std::string doc, KeyRule rule = {});
   /// A list of tables. The schema of one table in the list declares each key with the list's path in front:
   /// for the list "body.holes" that is "body.holes.radius".
   void add(std::string path, TableList list, std::string doc, KeyRule rule = {}) {

@@ -174,7 +174,17 @@ private:
 
   void take(const Schema::Key& key, const toml::node& node, const NamedChoice& choice) {
     std::string text;
-    take(key, node, text);
+    const toml::array* list = choice.several ? node.as_array() : nullptr;
+    if (list && list->empty())
+      return choice.set({});
+    if (list)
+      for (const toml::node& element : *list) {
+        std::string name;
+        take(key, element, name);
+        text += (text.empty() ? "" : ", ") + name;
+      }
+    else
+      take(key, node, text);
     std::vector<std::size_t> chosen;
     for (const std::string& name : choice.several ? split_at_commas(text) : std::vector{text}) {
       const auto found = std::ranges::find(choice.names, name);

@@ -15,11 +15,11 @@ struct EndOfWork {
 };
 
 /// Work side by side: in child processes, because a case that kills its process then costs little. They end
-/// when this process ends.
+/// when this process ends. On Windows, which cannot copy a process, workers are threads.
 class Workers {
 public:
   Workers();
-  ~Workers(); ///< ends those that are left
+  ~Workers(); ///< ends those that are left; threads are waited for
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 

@@ -78,9 +78,10 @@ private:
       const fs::path file = folder_.write(body.name + ".toml", body.toml),
                      mesh = folder_ / (body.name + ".msh");
       show(fmt::format("mesh of the {}", body.side), from);
-      run({program_named(mesher), file, "-o", mesh}, body, from, 0);
+      run({program_named(mesher).string(), file.string(), "-o", mesh.string()}, body, from, 0);
       show(fmt::format("influence functions of the {}", body.side), from);
-      run({program_named(solver), file, mesh, "-o", influence}, body, from, width);
+      run({program_named(solver).string(), file.string(), mesh.string(), "-o", influence.string()}, body,
+          from, width);
     }
     body.influence = influence;
   }

@@ -1,6 +1,7 @@
 #include "bem_contact/explore/server.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/system/sockets.hpp"
 #include "bem_contact/explore/settings.hpp"
 
 #include <algorithm>
@@ -10,9 +11,7 @@
 #include <httplib.h>
 #include <memory>
 #include <mutex>
-#include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -25,12 +24,10 @@ using httplib::Response;
 
 /// 128 bits that nobody guesses.
 std::string new_token() {
-  std::array<unsigned char, 16> bits{};
-  if (getentropy(bits.data(), bits.size()) != 0)
-    throw Error("No address can be made", "the system has no random numbers", "Try again later.");
+  std::random_device random; // of the system or the processor: it has no seed
   std::string token;
-  for (const unsigned byte : bits)
-    token += fmt::format("{:02x}", byte);
+  for (int k = 0; k < 4; ++k)
+    token += fmt::format("{:08x}", random());
   return token;
 }
 
@@ -72,7 +69,7 @@ using Clock = std::chrono::steady_clock;
 
 /// One that is open, and how far it has come.
 struct Connection {
-  socket_t socket;
+  system::Socket socket;
   Clock::time_point until; ///< when the request that is being read must be here
   bool knows_token = false;
 };
@@ -83,17 +80,23 @@ class TimedStream : public httplib::Stream {
 public:
   explicit TimedStream(Connection& connection) : connection_(connection) {}
 
-  bool is_readable() const override { return wait_for(POLLIN, connection_.until); }
-  bool is_writable() const override { return wait_for(POLLOUT, writing_until()); }
+  bool is_readable() const override {
+    const int left = milliseconds_to(connection_.until);
+    return left > 0 && system::wait_to_receive(connection_.socket, left);
+  }
+  bool is_writable() const override {
+    const int left = milliseconds_to(writing_until());
+    return left > 0 && system::wait_to_send(connection_.socket, left);
+  }
   ssize_t read(char* to, std::size_t size) override {
-    return is_readable() ? recv(connection_.socket, to, size, 0) : -1;
+    return is_readable() ? system::receive(connection_.socket, to, size) : -1;
   }
   ssize_t write(const char* from, std::size_t size) override {
-    return is_writable() ? send(connection_.socket, from, size, MSG_NOSIGNAL) : -1;
+    return is_writable() ? system::send(connection_.socket, from, size) : -1;
   }
   void get_remote_ip_and_port(std::string& ip, int& port) const override { ip = "127.0.0.1", port = 0; }
   void get_local_ip_and_port(std::string& ip, int& port) const override { ip = "127.0.0.1", port = 0; }
-  socket_t socket() const override { return connection_.socket; }
+  socket_t socket() const override { return static_cast<socket_t>(connection_.socket); }
 
 private:
   Clock::time_point writing_until() const {
@@ -101,10 +104,9 @@ private:
       writing_since_ = Clock::now();
     return writing_since_ + to_be_written;
   }
-  bool wait_for(short what, Clock::time_point until) const {
-    pollfd ready{.fd = connection_.socket, .events = what, .revents = 0};
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
-    return left > 0 && poll(&ready, 1, static_cast<int>(left)) == 1;
+  static int milliseconds_to(Clock::time_point until) {
+    return static_cast<int>(
+        std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count());
   }
 
   Connection& connection_;
@@ -144,13 +146,13 @@ public:
       return;
     const auto oldest = std::ranges::find_if(open_, [](const Connection* one) { return !one->knows_token; });
     if (oldest != open_.end())
-      shutdown((*oldest)->socket, SHUT_RDWR);
+      system::end_connection((*oldest)->socket);
   }
   void end_all() {
     const std::scoped_lock lock(mutex_);
     ending_ = true;
     for (const Connection* one : open_)
-      shutdown(one->socket, SHUT_RDWR);
+      system::end_connection(one->socket);
   }
 
 private:
@@ -177,11 +179,13 @@ class TimedServer : public httplib::Server {
 public:
   Connections& connections() { return connections_; }
   /// The library lets five wait.
-  void let_more_wait() const { ::listen(svr_sock_, most_waiting); }
+  void let_more_wait() const {
+    system::let_wait(static_cast<system::Socket>(svr_sock_.load()), most_waiting);
+  }
 
 private:
   bool process_and_close_socket(socket_t socket) override {
-    Connection connection{socket, Clock::now() + to_show_token};
+    Connection connection{static_cast<system::Socket>(socket), Clock::now() + to_show_token};
     bool closed = !connections_.add(connection);
     Connections::current() = &connection;
     while (!closed) {
@@ -195,8 +199,8 @@ private:
     }
     Connections::current() = nullptr;
     connections_.remove(connection);
-    shutdown(socket, SHUT_RDWR);
-    close(socket);
+    system::end_connection(connection.socket);
+    system::close_socket(connection.socket);
     return true;
   }
 
@@ -220,10 +224,8 @@ public:
 
 private:
   void open(int wanted) {
-    server_.set_socket_options([](socket_t socket) { // not SO_REUSEPORT, by which two programs share a port
-      const int yes = 1;
-      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-    });
+    server_.set_socket_options(
+        [](socket_t socket) { system::have_port_alone(static_cast<system::Socket>(socket)); });
     const int port = wanted == 0                                 ? server_.bind_to_any_port("127.0.0.1")
                      : server_.bind_to_port("127.0.0.1", wanted) ? wanted
                                                                  : -1;

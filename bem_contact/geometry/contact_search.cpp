@@ -192,6 +192,7 @@ public:
   std::vector<TouchPoint> points() const {
     const std::vector<RailSlice> slices = slice_rail(pair_, locus_);
     std::vector<double> distance;
+    distance.reserve(slices.size());
     for (const RailSlice& slice : slices)
       distance.push_back(slice.gap < excluded_gap ? slice.gap / upright(slice.delta) : excluded_gap);
     std::vector<TouchPoint> out;

@@ -108,10 +108,6 @@ constexpr int frames_tried = 8;
 constexpr double same_direction = 1e-9;
 constexpr double same_origin = 1e-4; ///< mm. As above.
 
-double change(const Vector3& a, const Vector3& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 /// Lays the frame along the surface where the wheel touches, which depends on the frame.
 void look_from_touch(WheelOnRail& pair, SectionedRail rail) {
   RailFrame frame;
@@ -126,7 +122,7 @@ void look_from_touch(WheelOnRail& pair, SectionedRail rail) {
     const RailFrame next(frame.point_in_track(rail.point(touch.x, row)), direction.ahead);
     pair.sinking = direction.sinking;
     pair.surface_speed = next.along[0] + direction.sinking * next.along[2];
-    const bool stays = i > 0 && change(next.along, frame.along) < same_direction &&
+    const bool stays = i > 0 && norm(between(frame.along, next.along)) < same_direction &&
                        std::abs(next.origin[0] - frame.origin[0]) < same_origin;
     if (stays)
       return;

@@ -1,6 +1,7 @@
 #include "bem_contact/geometry/sectioned_rail.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/place_in_table.hpp"
 #include "bem_contact/geometry/settings.hpp"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ SectionedRail::SectionedRail(std::shared_ptr<const SectionedSurface> surface, co
 }
 
 SectionedRail::Seen SectionedRail::seen(const Place& at, int side) const {
-  const SectionedSurface::Point p = side == 0 ? surface_->at(at.u, at.t) : surface_->beside(at.u, at.t, side);
+  const SectionedSurface::Point p = surface_->at(at.u, at.t, side);
   const Turn turn(pose_.angle);
   const Point2 position = pose_.origin + turn(p.position), by_u = turn(p.by_u), by_t = turn(p.by_t);
   return {frame_.seen_point({at.u - along_, position.y, position.z}), frame_.seen({1, by_u.y, by_u.z}),
@@ -123,9 +124,7 @@ ProfileCurve SectionedRail::look_from(const RailFrame& frame) {
 }
 
 SectionedRail::Place SectionedRail::start(const ContactRow& row) const {
-  const auto after = std::ranges::upper_bound(s_, row.s);
-  const auto k = std::clamp<std::ptrdiff_t>(after - s_.begin() - 1, 0, std::ssize(s_) - 2);
-  const double share = std::clamp((row.s - s_[k]) / (s_[k + 1] - s_[k]), 0.0, 1.0);
+  const auto [k, share] = PlaceInTable(s_, row.s);
   return {u_[k] + share * (u_[k + 1] - u_[k]), t_[k] + share * (t_[k + 1] - t_[k])};
 }
 
@@ -178,7 +177,7 @@ SectionedRail::Direction SectionedRail::direction(double x, const ContactRow& ro
   const auto at = found(x, row);
   const Seen p = seen(at ? *at : start(row));
   Vector3 normal = frame_.in_track(cross(p.by_u, p.by_t)); // into the rail: x times s
-  const double length = std::sqrt(dot(normal, normal));
+  const double length = norm(normal);
   if (!(length > 0))
     return {};
   for (double& component : normal)

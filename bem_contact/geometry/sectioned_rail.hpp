@@ -51,7 +51,7 @@ private:
   struct Seen {
     Vector3 position, by_u, by_t;
   };
-  Seen seen(const Place& at, int side = 0) const;
+  Seen seen(const Place& at, int side = 1) const;
   std::optional<Place> found(double x, const ContactRow& row) const;
   std::optional<double> u_across(double t) const;
   Place start(const ContactRow& row) const;

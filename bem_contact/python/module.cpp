@@ -14,6 +14,7 @@
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/report/report_page.hpp"
 #include "bem_contact/sequence/conformity_record.hpp"
+#include "bem_contact/sequence/derivative_record.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/result_file.hpp"
 #include "bem_contact/sequence/result_record.hpp"
@@ -51,9 +52,16 @@ std::unique_ptr<PythonSequence> sequence_of(const py::object& scene, const py::a
   return std::make_unique<PythonSequence>(scene_of(scene, folder), threads);
 }
 
+/// `derivatives`: what the key of that name takes.
 PythonResult solved(const PythonSequence& sequence, const py::object& changes, const py::object& model,
-                    const py::object& strict) {
-  const PythonSequence::Solved found = sequence.solve(changes_of(changes), model_of(model));
+                    const py::object& strict, const py::object& derivatives) {
+  std::vector<SceneChange> all = changes_of(changes);
+  if (!derivatives.is_none()) {
+    py::dict asked;
+    asked["derivatives"] = derivatives;
+    all.push_back(changes_of(asked).front());
+  }
+  const PythonSequence::Solved found = sequence.solve(std::move(all), model_of(model));
   PythonResult out{found.result, {}, found.given};
   if (py::bool_(strict))
     refuse_warnings(out.solved->warnings);
@@ -61,16 +69,17 @@ PythonResult solved(const PythonSequence& sequence, const py::object& changes, c
 }
 
 PythonResult solve_changed(const PythonSequence& sequence, const py::object& changes, const py::object& model,
-                           const py::object& strict, const py::args& more, const py::kwargs& unknown) {
-  refuse_unknown("Sequence.solve", {"changes", "model", "strict"}, more, unknown);
-  return solved(sequence, changes, model, strict);
+                           const py::object& strict, const py::args& more, const py::object& derivatives,
+                           const py::kwargs& unknown) {
+  refuse_unknown("Sequence.solve", {"changes", "model", "strict", "derivatives"}, more, unknown);
+  return solved(sequence, changes, model, strict, derivatives);
 }
 
 PythonResult solve_one(const py::object& scene, const py::object& changes, const py::object& model,
                        const py::object& strict, const py::args& more, const py::object& folder,
-                       const py::kwargs& unknown) {
-  refuse_unknown("solve", {"scene", "changes", "model", "strict", "folder"}, more, unknown);
-  return solved(PythonSequence(scene_of(scene, folder)), changes, model, strict);
+                       const py::object& derivatives, const py::kwargs& unknown) {
+  refuse_unknown("solve", {"scene", "changes", "model", "strict", "folder", "derivatives"}, more, unknown);
+  return solved(PythonSequence(scene_of(scene, folder)), changes, model, strict, derivatives);
 }
 
 /// [ms][mx]
@@ -208,6 +217,13 @@ void add_parts(ResultClass& c) {
   c.def_readonly("approach_datum", &SceneResult::approach_datum,
                  "Of which points of the bodies the approach is the relative displacement");
   c.def_property_readonly(
+      "derivatives",
+      [](const SceneResult& r) {
+        return r.derivatives.empty() ? py::object(py::none()) : as_object(derivatives_of(r));
+      },
+      "A dict for each number that `derivatives` names, as derivatives[\"lateral\"][\"Fy\"]; None: not asked "
+      "for");
+  c.def_property_readonly(
       "conformity", [](const SceneResult& r) { return as_object(conformity_of(r.conformity)); },
       "How closely the rigid bodies fit where they touch first: dict of largest_distance, width, ratio, fit "
       "...; "
@@ -339,9 +355,11 @@ PYBIND11_MODULE(_core, m) {
       "and arrays may be NumPy's. `model`: " +
       all_models() +
       "; \"\" takes the scene's own. Raises InputError (a "
-      "ValueError) for wrong input. `strict`: warnings are errors. Lack of convergence is in the result.";
+      "ValueError) for wrong input. `strict`: warnings are errors. `derivatives`: numbers of the scene with "
+      "respect to which the result has some, as [\"load\", \"lateral\"]. Lack of convergence is in the "
+      "result.";
   m.def("solve", solve_one, "scene"_a = py::none(), "changes"_a = py::none(), "model"_a = py::none(),
-        "strict"_a = false, "folder"_a = py::none(), of_arguments.c_str());
+        "strict"_a = false, "folder"_a = py::none(), "derivatives"_a = py::none(), of_arguments.c_str());
   py::class_<PythonSequence>(
       m, "Sequence",
       "Solves one scene with many changes, each from what the former ones taught: files are read once, and a "
@@ -357,7 +375,7 @@ PYBIND11_MODULE(_core, m) {
                       }))
       .def(py::init(&sequence_of), "scene"_a = py::none(), "folder"_a = py::none(), "threads"_a = 1)
       .def("solve", &solve_changed, "changes"_a = py::none(), "model"_a = py::none(), "strict"_a = false,
-           of_arguments.c_str());
+           "derivatives"_a = py::none(), of_arguments.c_str());
   add_conicity(m);
   add_functions(m);
   add_check_and_sweep(m);

@@ -1,9 +1,7 @@
 #include "bem_contact/python/stoppable.hpp"
 
 #include "bem_contact/base/error.hpp"
-
-#include <pthread.h>
-#include <unistd.h>
+#include "bem_contact/base/system/forks.hpp"
 
 #include <chrono>
 #include <condition_variable>
@@ -53,7 +51,7 @@ Calls& calls() {
 /// Of a daemon thread when Python ends.
 [[noreturn]] void stay_here() {
   for (;;)
-    pause();
+    std::this_thread::sleep_for(std::chrono::hours(1));
 }
 
 /// Whether Ctrl-C, or another signal whose handler raises, has come; Python's exception is then set.
@@ -148,12 +146,12 @@ void end_all_solutions() {
 }
 
 void watch_forks() {
-  pthread_atfork([] { calls().mutex.lock(); }, [] { calls().mutex.unlock(); },
-                 [] {
-                   const bool solving = calls().solving > 0 || calls().forked;
-                   new (&calls()) Calls; // no other thread is here
-                   calls().forked = solving;
-                 });
+  system::watch_forks([] { calls().mutex.lock(); }, [] { calls().mutex.unlock(); },
+                      [] {
+                        const bool solving = calls().solving > 0 || calls().forked;
+                        new (&calls()) Calls; // no other thread is here
+                        calls().forked = solving;
+                      });
 }
 
 } // namespace bem_contact

@@ -67,6 +67,14 @@ SchemaValue whole_number(const std::string& key, const py::object& value) {
   return static_cast<std::int64_t>(number);
 }
 
+/// Names with commas between, as files have them.
+std::string texts_of(const std::string& key, const py::object& list) {
+  std::vector<std::string> out;
+  for (const py::handle element : list)
+    out.push_back(text_of(py::reinterpret_borrow<py::object>(element), key.c_str()));
+  return fmt::format("{}", fmt::join(out, ", "));
+}
+
 SchemaValue value_of(const std::string& key, const py::object& given) {
   const py::object value = without_numpy(given);
   if (py::isinstance<py::bool_>(value))
@@ -78,6 +86,8 @@ SchemaValue value_of(const std::string& key, const py::object& given) {
   if (is_number(value))
     return number_of(value);
   const bool is_list = py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value);
+  if (is_list && py::len(value) > 0 && py::isinstance<py::str>(*py::iter(value)))
+    return texts_of(key, value);
   std::vector<double> numbers;
   if (is_list)
     for (const py::handle element : value) {

@@ -50,6 +50,15 @@ struct LoweredWheel {
   double drop() const { return pair.wheel_pose.origin.z - from; }
 };
 
+/// The scene's motion of bodies that stand there. `free_radius`: V / omega of what rolls freely.
+Motion motion_over(const SceneFile& scene, const WheelOnRail& pair, const ReferencePoint& reference,
+                   double free_radius) {
+  Motion motion = read_motion(scene);
+  motion.creepage.rolling_radius = rolling_radius_of(scene.motion, free_radius);
+  motion.speed *= mean_surface_speed(pair, reference, motion.creepage);
+  return motion;
+}
+
 /// What is known of the bodies before they touch: WheelRailGeometry's members of these names.
 struct PlacementBeforeContact {
   double lowered = 0;
@@ -73,9 +82,7 @@ ContactSetup set_up_touching(const SceneFile& scene, LoweredWheel bodies, const 
     reference = {p.position, p.s, p.delta, centre->x};
     free_radius = centre->rolling_radius;
   }
-  Motion motion = read_motion(scene);
-  motion.creepage.rolling_radius = rolling_radius_of(scene.motion, free_radius);
-  motion.speed *= mean_surface_speed(pair, reference, motion.creepage);
+  Motion motion = motion_over(scene, pair, reference, free_radius);
   // A smooth function of the position: not that of the deepest point.
   const double contact_radius = centre ? centre->rolling_radius : pair.wheel_radius;
   return {body_of(scene.rail, scene.folder),
@@ -243,6 +250,15 @@ ContactSetup moved(const SceneFile& scene, const ContactSetup& setup, Structural
   out.motion = setup.motion;
   if (gives_way(by)) // a contact's own slide is no other place of the bodies: creepages count as without it
     out.motion.creepage.rolling_radius = rolling_radius;
+  return out;
+}
+
+ContactSetup with_motion_of(const SceneFile& scene, const ContactSetup& setup) {
+  ContactSetup out = setup;
+  out.layer = read_layer(scene);
+  const WheelRailGeometry* placed = setup.wheel_rail();
+  out.motion = placed ? motion_over(scene, placed->pair, placed->reference, placed->contact_radius)
+                      : read_motion(scene);
   return out;
 }
 

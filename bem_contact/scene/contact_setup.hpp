@@ -80,6 +80,9 @@ ContactSetup set_up_contact(const SceneFile& scene, const WheelRailProfiles& pro
 /// it touches again: contact search, reference point and rigid slip follow. A prescribed approach is counted
 /// from there: without what the wheel was lowered by. Throws InputError where the bodies no longer meet.
 ContactSetup moved(const SceneFile& scene, const ContactSetup& setup, StructuralPlacement by);
+/// The same bodies where they stand, with the motion, the friction and the layer of `scene`: a scene that
+/// differs in nothing else. The bodies touch.
+ContactSetup with_motion_of(const SceneFile& scene, const ContactSetup& setup);
 /// A `patch` scene. Throws InputError for tables that cannot be used, and for a load that the grid cannot
 /// bear.
 ContactSetup set_up_patch(const SceneFile& scene);

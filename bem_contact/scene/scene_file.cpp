@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/schema_text.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/scene/command_tables.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <iterator>
 #include <utility>
 
@@ -241,6 +243,28 @@ std::vector<std::string> keys_of_table(std::string_view table) {
   return scene_schema(file, read).keys_of(table);
 }
 
+namespace {
+
+/// rail.profile is the first of the sections then: they stand in its place, at the end.
+std::string with_sections(std::string text, const SceneFile& scene) {
+  if (scene.rail.sections.empty())
+    return text;
+  text.insert(text.find("\nprofile = ") + 1, "# ");
+  for (const SceneFile::Section& section : scene.rail.sections) {
+    text +=
+        fmt::format("\n[[rail.sections]]\nat = {}\nprofile = {}\n", section.at, toml_text(section.profile));
+    for (const auto& [name, numbers] :
+         {std::pair{"features", &section.features}, {"without", &section.without}})
+      if (!numbers->empty())
+        text += fmt::format("{} = [{}]\n", name, fmt::join(*numbers, ", "));
+    if (section.kink)
+      text += "kink = true\n";
+  }
+  return text;
+}
+
+} // namespace
+
 std::string scene_with_defaults(const SceneFile& scene) {
   SceneFile file = example_scene();
   SceneKeysAsRead read;
@@ -252,7 +276,7 @@ std::string scene_with_defaults(const SceneFile& scene) {
     read.s_from = scene.grid.rows->from;
     read.s_to = scene.grid.rows->to;
   }
-  return schema.print();
+  return with_sections(schema.print(), scene);
 }
 
 } // namespace bem_contact

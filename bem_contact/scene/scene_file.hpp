@@ -41,6 +41,10 @@ struct SceneFile {
   std::filesystem::path folder;           ///< not a key: where relative paths start
   std::vector<Warning> unused;            ///< not a key: which keys are given and have no effect, and why
 
+  /// Numbers of the scene with respect to which its result has derivatives (derivative_inputs.hpp); none:
+  /// they are not asked for.
+  std::vector<std::string> derivatives;
+
   /// [[rail.sections]]: the section of a rail that changes along the track, at one place
   struct Section {
     double at = 0;                ///< place along the track, as position.along, mm
@@ -82,10 +86,10 @@ struct SceneFile {
 
     bool operator==(const Position&) const = default;
   } position; ///< [position]
+  /// Whether the rail is given by its sections: [[rail.sections]], or a slices file.
+  bool has_sections() const { return !rail.sections.empty() || names_slices(rail.profile); }
   /// Whether wheel or rail are another at each place along the track.
-  bool changes_along() const {
-    return position.uneven.given() || !rail.sections.empty() || names_slices(rail.profile);
-  }
+  bool changes_along() const { return position.uneven.given() || has_sections(); }
 
   /// [track], wheel_rail: the curve that the wheelset runs through
   struct Track {

@@ -1,6 +1,7 @@
 #include "bem_contact/scene/scene_keys.hpp"
 
 #include "bem_contact/base/material_keys.hpp"
+#include "bem_contact/scene/derivative_inputs.hpp"
 #include "bem_contact/scene/network.hpp"
 #include "bem_contact/scene/surface_states.hpp"
 
@@ -187,6 +188,9 @@ Schema scene_schema(SceneFile& f, SceneKeysAsRead& read) {
   Schema s("scene file");
   s.kind_is("kind");
   s.add("kind", f.kind, "A wheel on a rail, or one contact problem given directly");
+  s.add("derivatives", f.derivatives, derivative_names(), "none",
+        "Numbers of the scene with respect to which the result has derivatives, a list: all, load, lateral, "
+        "roll, yaw, xi, eta, phi, friction and others");
   add_side(s, "rail", "The rail", f.rail, "a standard of bem_contact profile --list", read.rail_young);
   add_side(s, "wheel", "The wheel", f.wheel, "a standard, as S1002", read.wheel_young);
   add_rail_joint(s, f.rail.joint);
@@ -215,7 +219,7 @@ void settle(SceneFile& f, const Schema& s, const SceneKeysAsRead& read) {
   f.wheel.reading.tape_circle = f.position.tape_circle;
   if (!f.rail.sections.empty())
     f.rail.profile = f.rail.sections.front().profile;
-  if (f.changes_along() && !f.position.uneven.given()) // all sections have the same origin
+  if (f.has_sections()) // which all have the same origin
     f.rail.reading.keep_origin = true;
   for (SceneFile::Side* side : {&f.rail, &f.wheel})
     if (side->place == BodyPlace::absolute) {

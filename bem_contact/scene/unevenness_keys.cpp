@@ -121,9 +121,9 @@ void check_joint(const SceneFile& f, const Schema& s) {
 }
 
 void check_sections(const SceneFile& f, const Schema& s) {
-  const bool listed = !f.rail.sections.empty();
-  if (!listed && !names_slices(f.rail.profile))
+  if (!f.has_sections())
     return;
+  const bool listed = !f.rail.sections.empty();
   const char* sections = listed ? "rail.sections" : "rail.profile";
   if (listed && s.has("rail.profile"))
     s.refuse("rail.profile", "rail.sections is given too", "Give either of the two.");

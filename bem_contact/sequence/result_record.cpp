@@ -2,6 +2,7 @@
 
 #include "bem_contact/sequence/compared_quantities.hpp"
 #include "bem_contact/sequence/conformity_record.hpp"
+#include "bem_contact/sequence/derivative_record.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
 
@@ -265,6 +266,8 @@ Record record_of(const SceneResult& r, const RecordParts& parts) {
   out.add("conformity", conformity_of(r.conformity));
   out.add("structure", structure_of(r.structure));
   out.add("stresses", stresses_of(r.stresses));
+  if (!r.derivatives.empty())
+    out.add("derivatives", derivatives_of(r));
   if (parts.quantities)
     out.add("extrapolated", extrapolated(r))
         .add("certificate", certificate_of(r.result.trust.certificate))

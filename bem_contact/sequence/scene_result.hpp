@@ -7,6 +7,7 @@
 #include "bem_contact/geometry/rigid_slip.hpp"
 #include "bem_contact/scene/choices.hpp"
 #include "bem_contact/scene/warning.hpp"
+#include "bem_contact/sequence/derivatives.hpp"
 #include "bem_contact/sequence/patch_place.hpp"
 #include "bem_contact/sequence/stresses.hpp"
 #include "bem_contact/sequence/structural_result.hpp"
@@ -122,6 +123,7 @@ struct SceneResult {
   Measured moment;                           ///< Mz about the vertical through the reference point, N mm
   SceneBodies bodies;                        ///< as outputs show them
   std::optional<StressesBelow> stresses;     ///< where the scene asks for them
+  std::vector<InputDerivatives> derivatives; ///< with respect to what the scene names
   std::optional<Conformity> conformity;      ///< wheel_rail: of the rigid bodies at this displacement
   std::optional<StructuralResult> structure; ///< fem with structural compliance of at least one body
   /// Says in words: the approach is the relative displacement of these points of the two bodies. Approaches

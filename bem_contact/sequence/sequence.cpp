@@ -13,6 +13,7 @@
 #include "bem_contact/sequence/plan/element_size.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/settings.hpp"
+#include "bem_contact/sequence/solution/derivatives_of.hpp"
 #include "bem_contact/sequence/solution/free_rolling.hpp"
 #include "bem_contact/sequence/solution/slide_errors.hpp"
 #include "bem_contact/sequence/solution/solve_case.hpp"
@@ -149,12 +150,14 @@ SolveResources Sequence::Impl::resources(WorkBudget& work) {
           .operators = options_.ablation.keep_numbers ? &operators_ : nullptr,
           .coarse_start = options_.ablation.coarse_start,
           .displacements = options_.displacements,
+          .derivatives = true,
           .threads = options_.threads};
 }
 
 SceneResult Sequence::Impl::answer(const SceneFile& scene, const SceneTask& task) {
   const Stopwatch clock;
   ++counts_.cases;
+  require_derivatives(scene);
   if (scene.load.force_y) {
     SceneResult out = solve_at_lateral_force(scene, task);
     out.seconds.total = clock.seconds();
@@ -371,8 +374,10 @@ SceneResult Sequence::solve(const SceneFile& scene, const std::atomic<bool>* sto
 Comparison Sequence::compare(const SceneFile& scene, std::vector<Model> models,
                              const std::atomic<bool>* stop) {
   const std::lock_guard turn(impl_->turn);
+  SceneFile without_derivatives = scene;
+  without_derivatives.derivatives.clear();
   return compare_models(
-      scene, std::move(models),
+      without_derivatives, std::move(models),
       [&](const SceneFile& asked) { return impl_->answer(asked, {.stop = stop, .read_influence = true}); },
       [&](const SceneFile& asked, const FreeRolling& free, double creepage) {
         return impl_->solve_beyond(asked, free, creepage, stop);
@@ -381,6 +386,7 @@ Comparison Sequence::compare(const SceneFile& scene, std::vector<Model> models,
 
 SceneDescription Sequence::check(const SceneFile& scene) {
   const std::lock_guard turn(impl_->turn);
+  require_derivatives(scene);
   return describe_case(impl_->prepare(scene, {.read_influence = true}));
 }
 

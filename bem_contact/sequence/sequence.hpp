@@ -68,8 +68,8 @@ public:
   /// Solves a scene with each model, at equal forces and at equal position. All models have elements of the
   /// same size: if the scene asks for grid.elements or grid.accuracy, those that solve() chooses for the
   /// reference model (Comparison::reference). A prescribed approach is replaced by the force that the
-  /// reference finds for it. Throws what solve() throws, and InputError for fewer than two models. `stop`: as
-  /// in solve().
+  /// reference finds for it. Results have no derivatives. Throws what solve() throws, and InputError for
+  /// fewer than two models. `stop`: as in solve().
   Comparison compare(const SceneFile& scene, std::vector<Model> models = models_to_compare(),
                      const std::atomic<bool>* stop = nullptr);
 

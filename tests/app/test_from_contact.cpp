@@ -164,6 +164,7 @@ TEST_F(FromContact, ARailOfSections) {
  1360. -70. 460.                  FBDIST, FBPOS, NOMRAD
  ')" CONFORMAL_SOURCE_DIR R"(/data/bodies/hollow_wheel.txt' 0 1. 0. 0
  120. 2.0 80000. 0. 0. 0.         S, Y, FZ, ROLL, YAW, PITCH
+ 20000. 0. 0. 0. 0. -43.4         VS, VY, VZ, VROLL, VYAW, VPITCH
  0 MODULE
 )";
   const Outcome done = convert(text);

@@ -73,7 +73,7 @@ class New(unittest.TestCase):
         self.assertIn("rail.sections", self.call("check", "--strict", file) + file.read_text())
         text = re.sub(r"(?m)^position.along = .*", "position.along = [-430, -200, 0, 60, 120, 200, 300, 400]", file.read_text())
         file.write_text(text)
-        self.call("sweep", file, "--csv", "passage.csv")
+        self.call("sweep", file, "-o", "passage.h5", "--csv", "passage.csv")
         with open(self.folder / "passage.csv", newline="") as table:
             rows = list(csv.DictReader(table))
         self.assertEqual({row["status"] for row in rows}, {"certified"})

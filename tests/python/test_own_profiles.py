@@ -67,10 +67,10 @@ class Sections(unittest.TestCase):
     def test_that_are_all_equal_are_the_profile(self):
         rail = bem_contact.Profile(*points("60E1"), kind="rail")
         one = bem_contact.solve(SCENE, {"rail.profile": rail})
-        for features in (None, [[0, 60, 9999]] * 3):
+        for features, off in ((None, 1e-7), ([[0, 60, 9999]] * 3, 1e-5)):  # along a line two splines meet
             sections = bem_contact.Sections([0, 40, 100], [rail] * 3, features)
             r = bem_contact.solve({**SCENE, "position": {**SCENE["position"], "along": 55.0}}, {"rail.profile": sections})
-            self.assertAlmostEqual(r.pmax / one.pmax, 1, delta=1e-6)
+            self.assertAlmostEqual(r.pmax / one.pmax, 1, delta=off)
             self.assertAlmostEqual(r.vertical, one.vertical, delta=1e-6)
 
     def test_refuse_what_makes_no_rail(self):

@@ -272,6 +272,7 @@ TEST(SceneFile, rails_of_sections) {
   EXPECT_TRUE(f.rail.reading.keep_origin);
   EXPECT_TRUE(f.changes_along());
   EXPECT_THAT(f.unused, IsEmpty());
+  EXPECT_EQ(parse_scene_file(scene_with_defaults(f)).rail.sections, f.rail.sections);
   EXPECT_THAT(refusal(two + "rail.profile = '60E1'\n"), HasSubstr("rail.sections is given too"));
   EXPECT_THAT(refusal(two + "wheel.flat.length = 40\n"), HasSubstr("wheel.flat is given too"));
   EXPECT_THAT(refusal(two + "rail.roller_radius = 500\n"),

@@ -52,31 +52,35 @@ void add_line(std::vector<Point2>& points, Point2 to) {
 }
 
 /// The head of a rail, leaning, with its top at z = 0 and its gauge face at y = 0, as far down as `depth`.
+std::vector<Point2> head_points(const std::string& rail) {
+  std::vector<Point2> points;
+  for (const CurvePoint& p : points_along(named_profile(rail, ProfileKind::rail), point_spacing))
+    points.push_back(turned(p.position, -lean));
+  const double top = std::ranges::min(points, {}, &Point2::z).z;
+  for (Point2& p : points)
+    p.z -= top;
+  const auto crest = std::ranges::min_element(points, {}, &Point2::z);
+  auto from = crest, to = crest;
+  while (from != points.begin() && from->z < depth)
+    --from;
+  while (to + 1 != points.end() && to->z < depth)
+    ++to;
+  if (from->z < depth)
+    throw InputError(
+        fmt::format("The rail '{}' makes no wing rail", rail),
+        fmt::format("its gauge face ends {:.3g} mm below the top, and {:g} mm are needed", from->z, depth),
+        "Give a profile that reaches further down, as 60E1 does.");
+  std::vector<Point2> out(from, to + 1);
+  const double face = std::ranges::min(out, {}, &Point2::y).y;
+  for (Point2& p : out)
+    p.y -= face;
+  return out;
+}
+
 class Head {
 public:
-  explicit Head(const std::string& rail) {
-    for (const CurvePoint& p : points_along(named_profile(rail, ProfileKind::rail), point_spacing))
-      points_.push_back(turned(p.position, -lean));
-    const double top = std::ranges::min(points_, {}, &Point2::z).z;
-    for (Point2& p : points_)
-      p.z -= top;
-    const auto crest = std::ranges::min_element(points_, {}, &Point2::z);
-    auto from = crest, to = crest;
-    while (from != points_.begin() && from->z < depth)
-      --from;
-    while (to + 1 != points_.end() && to->z < depth)
-      ++to;
-    if (from->z < depth)
-      throw InputError(
-          fmt::format("The rail '{}' makes no wing rail", rail),
-          fmt::format("its gauge face ends {:.3g} mm below the top, and {:g} mm are needed", from->z, depth),
-          "Give a profile that reaches further down, as 60E1 does.");
-    points_ = std::vector<Point2>(from, to + 1);
-    const double face = std::ranges::min(points_, {}, &Point2::y).y;
-    for (Point2& p : points_)
-      p.y -= face;
-    curve_ = ProfileCurve::through_points("head", points_);
-  }
+  explicit Head(const std::string& rail)
+      : points_(head_points(rail)), curve_(ProfileCurve::through_points("head", points_)) {}
   const std::vector<Point2>& points() const { return points_; }
   /// Its point at y, between gauge face and field side.
   CurvePoint across(double y) const {
@@ -88,7 +92,7 @@ public:
 
 private:
   std::vector<Point2> points_;
-  ProfileCurve curve_ = ProfileCurve::through_points("none", std::vector<Point2>{{0, 0}, {1, 0}, {2, 0}});
+  ProfileCurve curve_;
 };
 
 /// The rail's own gauge side with a round corner at the width of the nose, `lower` than the rail.
@@ -240,7 +244,7 @@ ExitCode write_crossing(const NewCrossing& asked) {
   const std::filesystem::path file = asked.output,
                               folder = file.parent_path() / (file.stem().string() + "_sections");
   for (const std::filesystem::path& output : {file, folder})
-    if (std::filesystem::exists(output))
+    if (file_exists(output))
       throw InputError(fmt::format("'{}' exists", output.string()), "what is in it would be lost",
                        "Give another name, or remove it.");
   named_profile(asked.wheel, ProfileKind::wheel); // what cannot be read is refused here

@@ -84,7 +84,7 @@ report::DrawnProfile drawn(std::string name, const std::vector<CurvePoint>& poin
 std::vector<report::DrawnProfile> drawn_profiles(const ProfileArguments& arguments,
                                                  const MeasuredProfile& profile,
                                                  const std::optional<LikeStandard>& like, ProfileKind kind) {
-  const std::string name = std::filesystem::path(arguments.name).filename();
+  const std::string name = std::filesystem::path(arguments.name).filename().string();
   std::vector<report::DrawnProfile> out{drawn(name, points_along(profile.curve, arguments.step))};
   if (profile.smoothing > 0 || profile.worn) {
     ProfileArguments raw = arguments;
@@ -169,7 +169,7 @@ ExitCode run(ProfileArguments arguments) {
   const ProfileFindings found = findings_of(profile, kind, arguments.reading);
   const std::string words = to_text(profile, found, kind);
   if (!arguments.plot.empty())
-    report::write_profile_page(std::filesystem::path(arguments.name).filename(), words,
+    report::write_profile_page(std::filesystem::path(arguments.name).filename().string(), words,
                                drawn_profiles(arguments, profile, found.like, kind), arguments.plot);
   if (arguments.json) {
     print_out("{}\n", record::to_json(

@@ -86,8 +86,11 @@ json json_of(const KeyDescription& key) {
     out["minItems"] = out["maxItems"] = 2;
   if (key.type == KeyType::choice)
     out["enum"] = key.choices;
-  if (key.type == KeyType::choices) // names with commas between
+  if (key.type == KeyType::choices) { // names with commas between, or a list of them
+    out["type"] = {"string", "array"};
+    out["items"] = json{{"enum", key.choices}};
     out["choices"] = key.choices;
+  }
   if (key.type == KeyType::tables)
     out["items"] = object_of(key.columns, key.path.size() + 1);
   if (key.value)

@@ -45,7 +45,7 @@ void become_python(const fs::path& python, const std::string& module,
   std::vector<std::string> words{python.string(), "-m", module};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::fflush(nullptr);
-  ProgramLine(words).become();
+  become_program(words);
   throw Error("Python cannot be started", fmt::format("'{}' is no program that runs here", python.string()),
               "Install the Debian package python3 again.");
 }

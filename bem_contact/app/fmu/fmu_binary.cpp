@@ -35,11 +35,7 @@ std::string compiled(const table::Fmu& fmu, const FmuPlatform& platform) {
                                  "-fvisibility=hidden"};
   words.insert(words.end(), platform.flags.begin(), platform.flags.end());
   words.insert(words.end(), {"-o", library, source});
-  const ProgramLine line(std::move(words));
-  ChildProcess child(folder / "said.txt", [&] {
-    line.become();
-    return EXIT_FAILURE;
-  });
+  ChildProcess child(folder / "said.txt", {.words = std::move(words)});
   std::string said, how;
   while (const auto text = child.next_line())
     said += *text + "\n";

@@ -1,6 +1,7 @@
 #include "bem_contact/app/output/report.hpp"
 
 #include "bem_contact/app/output/asked_output.hpp"
+#include "bem_contact/app/output/derivatives_text.hpp"
 #include "bem_contact/base/fixed_text.hpp"
 #include "bem_contact/record/error_text.hpp"
 #include "bem_contact/sequence/conformity_record.hpp"
@@ -194,6 +195,7 @@ std::string to_text(const SceneResult& r) {
   out += totals_text(r, force);
   out += layer_text(r);
   out += rolling_text(r);
+  out += derivatives_text(r);
   if (const std::string why = why_no_errors(r); !why.empty() && !r.result.patches.empty())
     out += fmt::format("no errors (+-) are stated: {}\n", why);
   if (!r.history.empty())

@@ -7,26 +7,26 @@
 #include "bem_contact/base/printable.hpp"
 #include "bem_contact/base/temporary_folder.hpp"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <fmt/format.h>
-#include <functional>
 
 namespace bem_contact::app {
 
 namespace {
 
-LineOutcome in_process(const std::filesystem::path& text, std::set<std::string>& said,
-                       const std::function<int()>& work) {
+LineOutcome in_process(const std::filesystem::path& text, std::set<std::string>& said, ChildWork work) {
   LineOutcome out;
   const TemporaryFolder folder;
   MessageFile told(folder / "messages.txt");
-  ChildProcess child(text, [&] {
-    set_variable(message_file_variable, told.file());
-    return work();
-  });
+  work.variables = {{message_file_variable, told.file().string()}};
+  ChildProcess child(text, work);
+  if (!child.why_not_started().empty()) {
+    out.code = wrong_input;
+    out.errors.push_back(
+        fmt::format("'{}' cannot be started ({}) Give influence.program a program that is there.",
+                    work.words.front(), child.why_not_started()));
+    print_error("error: {}\n", out.errors.back());
+    return out;
+  }
   while (const auto line = child.next_line())
     if (line->empty() || said.insert(*line).second)
       print_error("{}\n", *line);
@@ -49,25 +49,21 @@ LineOutcome in_process(const std::filesystem::path& text, std::set<std::string>&
 
 LineOutcome run_line(const std::vector<std::string>& words, const std::filesystem::path& text,
                      std::set<std::string>& said) {
-  return in_process(text, said, [&] {
-    std::vector<std::string> line{"bem_contact"};
-    line.insert(line.end(), words.begin(), words.end());
+  std::vector<std::string> line{this_program().string()};
+  line.insert(line.end(), words.begin(), words.end());
+  const auto here = [&line] {
     std::vector<char*> pointers;
     for (std::string& word : line)
       pointers.push_back(word.data());
     pointers.push_back(nullptr);
     return run_program(static_cast<int>(line.size()), pointers.data());
-  });
+  };
+  return in_process(text, said, {.words = line, .here = here});
 }
 
 LineOutcome run_other(const std::vector<std::string>& words, const std::filesystem::path& text,
                       std::set<std::string>& said) {
-  return in_process(text, said, [&] {
-    ProgramLine(words).become();
-    say_error(fmt::format("'{}' cannot be started ({}) Give influence.program a program that is there.",
-                          words.front(), std::strerror(errno)));
-    return static_cast<int>(wrong_input);
-  });
+  return in_process(text, said, {.words = words});
 }
 
 } // namespace bem_contact::app

@@ -44,6 +44,7 @@ void remove_locked(int file, const std::filesystem::path& name);
 /// Whether the name leads to where standard output or standard error goes.
 bool is_standard_output(const std::filesystem::path& name);
 bool is_standard_error(const std::filesystem::path& name);
+bool standard_error_is_terminal();
 /// Names such as /proc/self/fd/1 stand for something open, which has no other name.
 bool stands_for_something_open(const std::filesystem::path& link);
 

@@ -2,6 +2,7 @@
 
 #include "bem_contact/contact/coupled/settings.hpp"
 #include "bem_contact/contact/coupled/varying_friction.hpp"
+#include "bem_contact/contact/eigen_fields.hpp"
 #include "bem_contact/contact/normal/solve_normal.hpp"
 
 #include <algorithm>
@@ -24,13 +25,6 @@ constexpr int most_fresh_slips = 10;
 constexpr double slip_rounding = 1e-12;
 constexpr double shift_slip_floor = 1e3;
 
-std::span<const double> view(const VectorXd& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
-std::span<double> view(VectorXd& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
-
 TangentialTask make_task(const ContactProblem& problem, const Shear& shear, const VectorXd& pn,
                          double floor) {
   TangentialTask task{pn, shear.rigid, shear.rigid + shear.former, {}, floor};
@@ -39,15 +33,12 @@ TangentialTask make_task(const ContactProblem& problem, const Shear& shear, cons
     if (pn[i] > 0)
       task.contact.push_back(i);
   }
-  if (shear.coupling) {
+  if (shear.coupling && problem.motion == MotionKind::steady) {
+    task.drive -= step_of_pressure(shear, pn);
+  } else if (shear.coupling) {
     VectorXd step(2 * pn.size());
-    if (problem.motion == MotionKind::steady)
-      shear.coupling->shear_from_normal.apply_step(view(pn), view(step));
-    else {
-      shear.coupling->shear_from_normal.apply(view(pn), view(step));
-      step *= shear.system.rule.present[0];
-    }
-    task.drive -= step;
+    shear.coupling->shear_from_normal.apply(view(pn), view(step));
+    task.drive -= shear.system.rule.present[0] * step;
   }
   // If everything sticks without rigid slip, slip is compared with what there would be without tractions.
   if (problem.motion != MotionKind::steady) {
@@ -84,8 +75,7 @@ Shear::Shear(const ContactProblem& problem, ContactOperators& operators, WorkBud
 
 CoupledSystem::CoupledSystem(const ContactProblem& the_problem, ContactOperators& operators,
                              double negligible, WorkBudget& work)
-    : problem(the_problem), normal(the_problem, operators.normal),
-      gap(Eigen::Map<const VectorXd>(the_problem.gap.data(), the_problem.grid.size())),
+    : problem(the_problem), normal(the_problem, operators.normal), gap(vector_of(the_problem.gap)),
       sine(the_problem.grid.size()) {
   for (int is = 0; is < problem.grid.ms; ++is)
     sine.segment(is * problem.grid.mx, problem.grid.mx).setConstant(std::sin(problem.rows[is].delta));
@@ -111,12 +101,11 @@ double CoupledSystem::shear_force(const VectorXd& shear_tractions) const {
 VectorXd former_slip(const ContactProblem& problem, const Shear& shear, WorkBudget& work) {
   const int n = problem.grid.size();
   const SlipStep& rule = shear.system.rule;
-  VectorXd sum = VectorXd::Zero(2 * n), pt(2 * n), u(2 * n);
+  VectorXd sum = VectorXd::Zero(2 * n), u(2 * n);
   for (std::size_t k = 1; k <= std::min<std::size_t>(problem.previous.size(), 2); ++k) {
     const Tractions& former = problem.previous[k - 1];
     const int columns = static_cast<int>(k) * rule.columns;
-    pt << Eigen::Map<const VectorXd>(former.px.data(), n), Eigen::Map<const VectorXd>(former.ps.data(), n);
-    sum -= rule.former[k] * shear.system.displacement(pt, work, columns);
+    sum -= rule.former[k] * shear.system.displacement(joined(former.px, former.ps), work, columns);
     if (shear.coupling) {
       shear.coupling->shear_from_normal.apply(former.pn, view(u), columns);
       sum -= rule.former[k] * u;
@@ -148,11 +137,18 @@ void solve_shear(const CoupledSystem& system, const SolverOptions& options, Work
                          solution.creepage);
 }
 
-VectorXd normal_displacement(const Shear& shear, const Solution& solution) {
-  VectorXd u = VectorXd::Zero(solution.shear.p.size() / 2);
+VectorXd normal_displacement(const Shear& shear, const VectorXd& pt) {
+  VectorXd u = VectorXd::Zero(pt.size() / 2);
   if (shear.coupling)
-    shear.coupling->normal_from_shear.apply(view(solution.shear.p), view(u));
+    shear.coupling->normal_from_shear.apply(view(pt), view(u));
   return u;
+}
+
+VectorXd step_of_pressure(const Shear& shear, const VectorXd& pn) {
+  VectorXd step = VectorXd::Zero(2 * pn.size());
+  if (shear.coupling)
+    shear.coupling->shear_from_normal.apply_step(view(pn), view(step));
+  return step;
 }
 
 } // namespace bem_contact::contact

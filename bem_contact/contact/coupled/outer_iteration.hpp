@@ -56,7 +56,9 @@ void iterate_once(const CoupledSystem& system, const SolverOptions& options, con
 void solve_shear(const CoupledSystem& system, const SolverOptions& options, WorkBudget& work,
                  Solution& solution);
 
-/// (A p_t)_n of the solution, mm; zero where the numbers do not couple.
-Eigen::VectorXd normal_displacement(const Shear& shear, const Solution& solution);
+/// (A p_t)_n, mm; zero where the numbers do not couple.
+Eigen::VectorXd normal_displacement(const Shear& shear, const Eigen::VectorXd& pt);
+/// What pressure does to the slip of a step of steady rolling, mm; zero where the numbers do not couple.
+Eigen::VectorXd step_of_pressure(const Shear& shear, const Eigen::VectorXd& pn);
 
 } // namespace bem_contact::contact

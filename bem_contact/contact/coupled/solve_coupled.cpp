@@ -9,6 +9,7 @@
 #include "bem_contact/contact/coupled/settling_rate.hpp"
 #include "bem_contact/contact/coupled/start.hpp"
 #include "bem_contact/contact/coupled/tolerance_schedule.hpp"
+#include "bem_contact/contact/eigen_fields.hpp"
 #include "bem_contact/contact/settings.hpp"
 
 #include <fmt/format.h>
@@ -75,7 +76,7 @@ OuterLoop::OuterLoop(const CoupledSystem& system, const SolverOptions& options, 
     solution.pressed = balance_.start(pressed, pressed + system.shear_force(solution.shear.p));
   }
   if (system.by_numbers && solution.shear.p.any())
-    v_.head(n_) = normal_displacement(*system.shear, solution);
+    v_.head(n_) = normal_displacement(*system.shear, solution.shear.p);
 }
 
 /// The pressure of options.near solves the normal problem under v_ as it is.
@@ -84,14 +85,14 @@ void OuterLoop::iterate_under_held_pressure() {
   normal.u = system_.normal.apply(normal.p, work_);
   normal.converged = true;
   const Tractions& guess = options_.near->shear_guess;
-  solution_.shear.p << VectorXd::Map(guess.px.data(), n_), VectorXd::Map(guess.ps.data(), n_);
+  solution_.shear.p = joined(guess.px, guess.ps);
   ++solution_.outer_iterations;
   solve_shear(system_, options_, work_, solution_);
 }
 
 VectorXd OuterLoop::image() {
   VectorXd next = VectorXd::Zero(n_ + 1);
-  solution_.from_shear = next.head(n_) = normal_displacement(*system_.shear, solution_);
+  solution_.from_shear = next.head(n_) = normal_displacement(*system_.shear, solution_.shear.p);
   if (!system_.by_force)
     return next;
   const double force = system_.problem.force;
@@ -150,7 +151,7 @@ bool OuterLoop::run(const RoughLook* look) {
                    solution_);
     if (!system_.coupled()) {
       if (system_.shear)
-        solution_.from_shear = normal_displacement(*system_.shear, solution_);
+        solution_.from_shear = normal_displacement(*system_.shear, solution_.shear.p);
       return true;
     }
     const VectorXd next = image(), residual = next - v_;
@@ -187,7 +188,7 @@ bool settle_displacements(const CoupledSystem& system, const SolverOptions& opti
   VectorXd v = solution.from_shear;
   for (int outer = 0; outer < options.max_outer; ++outer) {
     iterate_once(system, options, v, {LoadKind::force, 0, solution.pressed}, work, solution);
-    solution.from_shear = normal_displacement(*system.shear, solution);
+    solution.from_shear = normal_displacement(*system.shear, solution.shear.p);
     const VectorXd residual = solution.from_shear - v;
     const double change = residual.cwiseAbs().maxCoeff() / solution.normal.u.cwiseAbs().maxCoeff();
     if (change <= enough)

@@ -2,6 +2,7 @@
 
 #include "bem_contact/contact/coupled/settings.hpp"
 #include "bem_contact/contact/coupled/solve_coupled.hpp"
+#include "bem_contact/contact/eigen_fields.hpp"
 #include "bem_contact/contact/grid/larger_elements.hpp"
 
 #include <algorithm>
@@ -25,13 +26,11 @@ bool start_from_guess(const StartingPoint& guess, const ContactProblem& problem,
   if (guess.pn.size() != static_cast<std::size_t>(n) ||
       std::ranges::none_of(guess.pn, [](double p) { return p > 0; }))
     return false;
-  solution.normal.p =
-      Eigen::Map<const VectorXd>(guess.pn.data(), n).cwiseMax(0.0).cwiseMin(limit_of(problem));
+  solution.normal.p = vector_of(guess.pn).cwiseMax(0.0).cwiseMin(limit_of(problem));
   solution.normal.approach = guess.approach;
   solution.normal.set_sides(limit_of(problem));
   if (problem.has_friction())
-    solution.shear.p << Eigen::Map<const VectorXd>(guess.px.data(), n),
-        Eigen::Map<const VectorXd>(guess.ps.data(), n);
+    solution.shear.p = joined(guess.px, guess.ps);
   return true;
 }
 

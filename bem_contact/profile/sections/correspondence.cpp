@@ -1,6 +1,7 @@
 #include "bem_contact/profile/sections/correspondence.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/median.hpp"
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
@@ -130,13 +131,7 @@ private:
           a[i].position - second_.at(refined(a[i], {-shift.y, -shift.z}, second_, b[j].s)).position;
       std::abs(std::sin(a[i].delta)) > std::sqrt(0.5) ? y.push_back(apart.y) : z.push_back(apart.z);
     }
-    const auto median = [](std::vector<double>& of, double none) {
-      if (of.empty())
-        return none;
-      std::ranges::nth_element(of, of.begin() + std::ssize(of) / 2);
-      return of[of.size() / 2];
-    };
-    return {median(y, shift.y), median(z, shift.z)};
+    return {y.empty() ? shift.y : median(std::move(y)), z.empty() ? shift.z : median(std::move(z))};
   }
   /// Where one profile goes on beyond the end of the other, only the nearest of its points corresponds to
   /// that end.

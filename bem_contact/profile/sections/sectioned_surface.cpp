@@ -283,13 +283,7 @@ std::pair<double, double> SectionedSurface::extent(double u) const {
   return {lines_[first - there.begin()], lines_[last - there.begin()]};
 }
 
-SectionedSurface::Point SectionedSurface::at(double u, double t) const {
-  const auto after = std::ranges::upper_bound(t_, t);
-  return in_cell(u, t,
-                 std::clamp(static_cast<int>(after - t_.begin()) - 1, 0, static_cast<int>(t_.size()) - 2));
-}
-
-SectionedSurface::Point SectionedSurface::beside(double u, double t, int side) const {
+SectionedSurface::Point SectionedSurface::at(double u, double t, int side) const {
   const auto after = side > 0 ? std::ranges::upper_bound(t_, t) : std::ranges::lower_bound(t_, t);
   return in_cell(u, t,
                  std::clamp(static_cast<int>(after - t_.begin()) - 1, 0, static_cast<int>(t_.size()) - 2));

@@ -45,14 +45,13 @@ public:
   struct Point {
     Point2 position, by_t, by_u; ///< (y, z), mm; its derivatives
   };
-  /// Beyond the first and the last section the surface goes on straight.
-  Point at(double u, double t) const;
+  /// Beyond the first and the last section the surface goes on straight. Where tangents jump, they are those
+  /// just beyond t (side = 1) or just before it (-1).
+  Point at(double u, double t, int side = 1) const;
   /// t of both ends of what is there at u, mm.
   std::pair<double, double> extent(double u) const;
   /// All t at which curves are tabulated, rising: tangents may jump there and nowhere else.
   const std::vector<double>& nodes() const { return t_; }
-  /// As at(), with t just beyond it (side = 1) or just before it (-1): of tangents that jump.
-  Point beside(double u, double t, int side) const;
   /// The feature lines, given or found: t of each.
   const std::vector<double>& lines() const { return lines_; }
 

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/place_in_table.hpp"
 #include "bem_contact/profile/formats/text_lines.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 
@@ -142,13 +143,8 @@ public:
     }
   }
   double arc_length(double chord) const {
-    const auto after = std::ranges::upper_bound(chord_, chord);
-    if (after == chord_.end())
-      return s_.back();
-    if (after == chord_.begin())
-      return s_.front();
-    const auto k = after - chord_.begin() - 1;
-    return s_[k] + (chord - chord_[k]) / (chord_[k + 1] - chord_[k]) * (s_[k + 1] - s_[k]);
+    const PlaceInTable at(chord_, chord);
+    return s_[at.line] + at.share * (s_[at.line + 1] - s_[at.line]);
   }
 
 private:

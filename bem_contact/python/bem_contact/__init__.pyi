@@ -34,6 +34,7 @@ class Result(_Numbers):
     lateral_slope: Final[float | None]
     approach_datum: Final[str]
     track: Final[str]
+    derivatives: Final[dict[str, Any] | None]
     conformity: Final[dict[str, Any] | None]
     x: Final[_Array]
     # Trust.
@@ -57,7 +58,14 @@ class Sequence:
     def __init__(
         self, scene: _Scene, *, folder: str | PathLike[str] | None = None, threads: int = 1
     ) -> None: ...
-    def solve(self, changes: _Changes = None, model: _Model = None, strict: bool = False) -> Result: ...
+    def solve(
+        self,
+        changes: _Changes = None,
+        model: _Model = None,
+        strict: bool = False,
+        *,
+        derivatives: str | _List[str] | None = None,
+    ) -> Result: ...
 
 def solve(
     scene: _Scene,
@@ -66,6 +74,7 @@ def solve(
     strict: bool = False,
     *,
     folder: str | PathLike[str] | None = None,
+    derivatives: str | _List[str] | None = None,
 ) -> Result: ...
 
 def compare(

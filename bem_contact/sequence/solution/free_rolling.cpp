@@ -36,6 +36,7 @@ std::optional<FreeRolling> find_free_rolling(ContactCase asked, const SceneFile:
                                              SolveResources resources, SceneResult* solution = nullptr) {
   asked.setup.motion.force_x = 0;
   resources.early_end = nullptr;
+  resources.derivatives = false;
   asked.scene.stresses.depths.clear();
   SceneResult solved = solve_case(asked, grid, resources);
   if (!solved.result.certified() || solved.result.patches.empty())

@@ -12,6 +12,7 @@
 #include "bem_contact/sequence/patch_places.hpp"
 #include "bem_contact/sequence/plan/model_choice.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
+#include "bem_contact/sequence/solution/derivatives_of.hpp"
 #include "bem_contact/sequence/solution/grow_grid.hpp"
 #include "bem_contact/sequence/solution/layer_slope.hpp"
 #include "bem_contact/sequence/solution/structural_motion.hpp"
@@ -262,6 +263,14 @@ std::optional<Measured> free_creepage_if_asked(PlacedSolution& placed, const Sol
                                                : std::nullopt;
 }
 
+std::vector<InputDerivatives> derivatives_if_asked(PlacedSolution& placed, const SolveResources& resources) {
+  const ContactResult& result = placed.solved.result;
+  const bool asked = resources.derivatives && !resources.totals_only &&
+                     !placed.asked.scene.derivatives.empty() && result.certified() &&
+                     !result.patches.empty() && ends_here(resources, placed.solved);
+  return asked ? derivatives_of(placed.asked, placed.solved, resources) : std::vector<InputDerivatives>{};
+}
+
 /// SceneResult::free_rolling of what free_creepage_of() found.
 FreeRolling free_rolling_at(const ContactCase& asked, const Measured& found, const SceneResult& solved) {
   const Creepage& given = asked.setup.motion.creepage;
@@ -276,8 +285,10 @@ SceneResult recorded(PlacedSolution placed, const ModelChoice& choice, const Sol
   const Stopwatch finding;
   const std::optional<Measured> free = free_creepage_if_asked(placed, resources);
   const double seconds = finding.seconds();
+  std::vector<InputDerivatives> derivatives = derivatives_if_asked(placed, resources);
   SceneResult out = record_of(placed.asked, std::move(placed.solved), choice);
   out.structure = std::move(placed.structure);
+  out.derivatives = std::move(derivatives);
   if (out.motion.lateral && resources.displacements &&
       !resources.totals_only) // not where one of many totals is wanted
     out.conformity = conformity_of_case(placed.asked);

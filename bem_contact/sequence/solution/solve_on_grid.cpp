@@ -6,13 +6,13 @@
 #include "bem_contact/contact/solve.hpp"
 #include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/solution/layer_slope.hpp"
+#include "bem_contact/sequence/solution/numbers_of_grid.hpp"
 #include "bem_contact/sequence/solution/second_solution.hpp"
 #include "bem_contact/sequence/solution/structural_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <functional>
 
 namespace bem_contact {
 
@@ -61,31 +61,6 @@ void require_memory(const ContactGrid& grid, std::size_t steps) {
         "Take fewer steps (rolling is steady after about two lengths of contact), or elements.");
 }
 
-/// Half-space numbers depend on the size of the grid alone.
-NumbersSource source_of(Model model, const ContactSetup& setup, const ContactOnGrid& contact) {
-  const ContactGrid& grid = contact.problem.grid;
-  NumbersSource source{model,       setup.rail,
-                       setup.wheel, grid.mx,
-                       grid.ms,     contact.problem.plane_strain() ? 0.0 : grid.dx,
-                       grid.ds,     setup.reference_distance(),
-                       {},          {},
-                       0,           0,
-                       {}};
-  if (has_files(model)) {
-    source.rail_s = contact.rail_s;
-    source.wheel_s = contact.wheel_s;
-    source.contact_radius = contact.contact_radius;
-    source.roller_contact_radius = contact.roller_contact_radius;
-    source.inclination = radial_inclination(setup, contact.problem.rows);
-  }
-  return source;
-}
-
-/// No other case has the same numbers where they turn with the rows.
-NumbersStore* store_for(Model model, NumbersStore* store) {
-  return turns_with_rows(model) ? nullptr : store;
-}
-
 bool gives_way(const ContactSetup& setup) {
   return setup.rail.structural == StructuralCompliance::included ||
          setup.wheel.structural == StructuralCompliance::included;
@@ -132,68 +107,6 @@ void solve_steps(const ContactSetup& setup, const SolverOptions& options, Contac
                        fmt::format("step {} of {} is not a solution ({})", k + 1, last + 1,
                                    out.history[k].trust.solver_note));
 }
-
-/// Takes the pair's numbers from where a solution leaves them, puts the layer between the bodies, and gives
-/// them back without it.
-class NumbersOfGrid {
-public:
-  NumbersOfGrid(const ContactCase& asked, Model model, const ContactOnGrid& contact,
-                const SolveResources& resources)
-      : store_(store_for(model, resources.numbers)), source_(source_of(model, asked.setup, contact)),
-        compute_([&asked, &contact, &resources, model] {
-          return pair_numbers(model, asked.setup, asked.files, contact,
-                              resources.numbers ? &resources.numbers->parts() : nullptr, resources.threads);
-        }) {}
-
-  /// `elsewhere`: where they are without a store, if they are there.
-  InfluenceNumbers take(InfluenceNumbers& elsewhere) {
-    if (!elsewhere.values.empty())
-      return std::move(elsewhere);
-    return store_ ? store_->take(source_, compute_) : compute_();
-  }
-  void keep(InfluenceNumbers numbers, InfluenceNumbers& elsewhere) const {
-    if (store_)
-      store_->keep(source_, std::move(numbers));
-    else
-      elsewhere = std::move(numbers);
-  }
-
-private:
-  NumbersStore* store_;
-  NumbersSource source_;
-  std::function<InfluenceNumbers()> compute_;
-};
-
-/// While it lives, numbers have a layer on their diagonal; then they are what they were, bit by bit.
-class LayerInNumbers {
-public:
-  LayerInNumbers(const SurfaceLayer& layer, InfluenceNumbers& numbers) : numbers_(numbers) {
-    if (layer.is_none())
-      return;
-    if (layer.by_row() && numbers.translational)
-      before_ = numbers; // small, and the others take another form
-    else
-      for (int row = 0; row < numbers.rows; ++row)
-        for (int i = 0; i < 3; ++i)
-          diagonal_.push_back(numbers.at(0, row, i, row, i));
-    add_layer(layer, numbers);
-  }
-  ~LayerInNumbers() {
-    if (before_)
-      numbers_ = std::move(*before_);
-    for (std::size_t k = 0; k < diagonal_.size(); ++k) {
-      const int row = static_cast<int>(k / 3), i = static_cast<int>(k % 3);
-      numbers_.at(0, row, i, row, i) = diagonal_[k];
-    }
-  }
-  LayerInNumbers(const LayerInNumbers&) = delete;
-  LayerInNumbers& operator=(const LayerInNumbers&) = delete;
-
-private:
-  InfluenceNumbers& numbers_;
-  std::optional<InfluenceNumbers> before_;
-  std::vector<double> diagonal_;
-};
 
 void solve_by_numbers(const ContactCase& asked, const SolveTask& task, const SolveResources& resources,
                       GridSolution& out) {

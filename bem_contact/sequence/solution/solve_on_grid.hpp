@@ -23,6 +23,7 @@ struct SolveResources {
   bool free_rolling = false;             ///< the result has it, if it is found in passing
   bool totals_only = false;              ///< no error of the elements, no displacements
   bool displacements = true;             ///< the result holds them
+  bool derivatives = false;              ///< and those derivatives that the scene asks for
   const EarlyEnd* early_end = nullptr;   ///< null: every solution is precise
   int threads = 1; ///< share the influence numbers; `operators` have a number of their own
 

@@ -48,111 +48,170 @@ private:
   sigset_t before_;
 };
 
+/// For exec(), made before there is a child, because a child of several threads may not allocate.
+class Pointers {
+public:
+  explicit Pointers(std::vector<std::string> texts) : texts_(std::move(texts)) {
+    pointers_.reserve(texts_.size() + 1);
+    for (std::string& text : texts_)
+      pointers_.push_back(text.data());
+    pointers_.push_back(nullptr);
+  }
+  Pointers(const Pointers&) = delete;
+  Pointers& operator=(const Pointers&) = delete;
+
+  char** data() { return pointers_.data(); }
+
+private:
+  std::vector<std::string> texts_;
+  std::vector<char*> pointers_;
+};
+
+std::vector<std::string> environment_with(const ChildWork& work) {
+  std::vector<std::string> out;
+  for (char** one = environ; *one; ++one)
+    out.emplace_back(*one);
+  for (const auto& variable : work.variables) {
+    const std::string begin = variable.first + "=";
+    std::erase_if(out, [&](const std::string& one) { return one.starts_with(begin); });
+    out.push_back(begin + variable.second);
+  }
+  return out;
+}
+
+void begin_as_child(pid_t parent, int output, int errors) {
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (getppid() != parent)
+    _exit(1);
+  dup2(output, STDOUT_FILENO);
+  dup2(errors, STDERR_FILENO);
+}
+
+[[noreturn]] void do_here(const ChildWork& work, char** variables) {
+  environ = variables;
+  const int code = work.here();
+  std::fflush(nullptr);
+  std::cout.flush();
+  _exit(code);
+}
+
+/// `failed`: the end of a pipe that the program no longer has. A normal end takes locks that other threads
+/// may have held.
+[[noreturn]] void become_other(char** words, char** variables, int failed) {
+  environ = variables;
+  system::close_others(system::CloseOthers::as_another_program_begins);
+  execvp(words[0], words);
+  const int why = errno;
+  static_cast<void>(!write(failed, &why, sizeof why));
+  _exit(1);
+}
+
 } // namespace
 
-ChildProcess::ChildProcess(const std::filesystem::path& text, const std::function<int()>& work) {
+struct ChildProcess::Started {
+  pid_t process = -1;
+  int messages = -1;
+  std::string why_not;
+};
+
+ChildProcess::ChildProcess(const std::filesystem::path& text, const ChildWork& work)
+    : started_(std::make_unique<Started>()) {
   std::fflush(stdout);
   std::cout.flush();
-  int ends[2] = {-1, -1};
+  Pointers words(work.words), variables(environment_with(work));
+  int messages[2] = {-1, -1}, failed[2] = {-1, -1};
   const int file = open(text.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const bool ready = file >= 0 && pipe2(messages, O_CLOEXEC) == 0 && pipe2(failed, O_CLOEXEC) == 0;
   const pid_t parent = getpid();
-  const HeldSignals held;
-  process_ = file >= 0 && pipe2(ends, O_CLOEXEC) == 0 ? fork() : -1;
-  if (process_ < 0) {
-    const std::string why = std::strerror(errno);
-    for (const int end : {file, ends[0], ends[1]})
-      close(end);
+  {
+    const HeldSignals held;
+    started_->process = ready ? fork() : -1;
+    if (started_->process == 0) {
+      held.let_go_in_child();
+      begin_as_child(parent, file, messages[1]);
+      for (const int end : {messages[0], messages[1], failed[0]})
+        close(end);
+      if (!work.here)
+        become_other(words.data(), variables.data(), failed[1]);
+      close(failed[1]);
+      do_here(work, variables.data());
+    }
+  }
+  const std::string why = std::strerror(errno);
+  for (const int end : {file, messages[1], failed[1]})
+    close(end);
+  started_->messages = messages[0];
+  int code = 0;
+  ssize_t count = 0;
+  while (started_->process > 0 && (count = read(failed[0], &code, sizeof code)) < 0 && errno == EINTR) {
+  }
+  if (count == sizeof code)
+    started_->why_not = std::strerror(code);
+  close(failed[0]);
+  if (started_->process < 0) {
+    close(messages[0]);
     throw Error("No other process can be started", why,
                 "End other programs, or look at the folder's rights.");
   }
-  if (process_ == 0) {
-    held.let_go_in_child();
-    prctl(PR_SET_PDEATHSIG, SIGTERM);
-    if (getppid() != parent)
-      _exit(1);
-    dup2(file, STDOUT_FILENO);
-    dup2(ends[1], STDERR_FILENO);
-    close(ends[0]);
-    close(ends[1]);
-    const int code = work();
-    std::fflush(nullptr);
-    std::cout.flush();
-    _exit(code);
-  }
-  close(file);
-  close(ends[1]);
-  messages_ = ends[0];
 }
 
 ChildProcess::~ChildProcess() {
-  close(messages_);
-  if (process_ > 0) {
-    kill(process_, SIGTERM);
+  close(started_->messages);
+  if (started_->process > 0) {
+    kill(started_->process, SIGTERM);
     std::string how;
     wait(how);
   }
 }
 
-std::optional<std::string> ChildProcess::next_line(const std::atomic<bool>* stop,
-                                                   const std::function<void()>& meanwhile) {
-  constexpr int patience = 100; // ms, after which `stop` is looked at
+const std::string& ChildProcess::why_not_started() const {
+  return started_->why_not;
+}
+
+ChildProcess::Read ChildProcess::read_more(int patience) {
+  pollfd ready{.fd = started_->messages, .events = POLLIN, .revents = 0};
+  if (patience >= 0 && poll(&ready, 1, patience) == 0)
+    return Read::nothing_yet;
   char bytes[4096];
-  while (!stop || !*stop) {
-    if (const std::size_t end = rest_.find('\n'); end != std::string::npos) {
-      std::string line = rest_.substr(0, end);
-      rest_.erase(0, end + 1);
-      return line;
-    }
-    pollfd ready{.fd = messages_, .events = POLLIN, .revents = 0};
-    if (stop && poll(&ready, 1, patience) == 0) {
-      if (meanwhile)
-        meanwhile();
-      continue;
-    }
-    const ssize_t count = read(messages_, bytes, sizeof bytes);
-    if (count > 0)
-      rest_.append(bytes, static_cast<std::size_t>(count));
-    else if (count == 0 || errno != EINTR)
-      break;
+  ssize_t count = 0;
+  while ((count = read(started_->messages, bytes, sizeof bytes)) < 0 && errno == EINTR) {
   }
-  return rest_.empty() ? std::nullopt : std::optional(std::exchange(rest_, {}));
+  if (count <= 0)
+    return Read::end;
+  rest_.append(bytes, static_cast<std::size_t>(count));
+  return Read::bytes;
 }
 
 int ChildProcess::wait(std::string& how) {
   int status = 0;
-  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  while (waitpid(started_->process, &status, 0) < 0 && errno == EINTR) {
   }
-  process_ = -1;
+  started_->process = -1;
+  if (!started_->why_not.empty()) {
+    how = "it cannot be started: " + started_->why_not;
+    return -1;
+  }
   if (!WIFSIGNALED(status))
     return WEXITSTATUS(status);
   how = fmt::format("signal {}, {}", WTERMSIG(status), strsignal(WTERMSIG(status)));
   return -1;
 }
 
-ProgramLine::ProgramLine(std::vector<std::string> words) : words_(std::move(words)) {
-  for (std::string& word : words_)
-    pointers_.push_back(word.data());
-  pointers_.push_back(nullptr);
-}
-
-void ProgramLine::become() const {
+void become_program(const std::vector<std::string>& words) {
+  Pointers pointers(words);
   system::close_others(system::CloseOthers::as_another_program_begins);
-  execvp(pointers_.front(), pointers_.data());
+  execvp(pointers.data()[0], pointers.data());
 }
 
 bool run_and_wait(const std::vector<std::string>& words, std::string& why) {
-  std::vector<std::string> copies = words;
-  std::vector<char*> arguments;
-  arguments.reserve(copies.size() + 1);
-  for (std::string& word : copies)
-    arguments.push_back(word.data());
-  arguments.push_back(nullptr);
+  Pointers arguments(words);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
   pid_t process = 0;
   int status = 0;
-  const int failed = posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
+  const int failed =
+      posix_spawnp(&process, arguments.data()[0], &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failed == 0)
     while (waitpid(process, &status, 0) < 0 && errno == EINTR)

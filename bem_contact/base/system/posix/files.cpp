@@ -109,6 +109,10 @@ bool is_standard_error(const std::filesystem::path& name) {
   return is_named(STDERR_FILENO, name);
 }
 
+bool standard_error_is_terminal() {
+  return isatty(STDERR_FILENO) == 1;
+}
+
 bool stands_for_something_open(const std::filesystem::path& link) {
   const std::filesystem::path folder = link.has_parent_path() ? link.parent_path() : ".";
   struct statfs system {};

@@ -12,7 +12,7 @@
 #include <string>
 #include <unistd.h>
 
-#if __has_include(<sys/syscall.h>)
+#ifdef __linux__
 #include <sys/syscall.h>
 #endif
 

@@ -26,6 +26,7 @@ __all__ = ["Contact", "InputError", "ConvergenceError", "Result", "compare", "co
            "sweep", "table", "wear"]
 
 _FOLDER = Path(__file__).resolve().parent
+_WINDOWS = os.name == "nt"
 _OK, _WRONG_INPUT, _NOT_CONVERGED = 0, 2, 3  # of conformal_contact.h; the program's exit codes are the same
 
 
@@ -42,7 +43,7 @@ def _fail(code, message):
 
 
 def _library():
-    library = ctypes.CDLL(str(_FOLDER / "libconformal_contact.so"))
+    library = ctypes.CDLL(str(_FOLDER / ("conformal_contact.dll" if _WINDOWS else "libconformal_contact.so")))
     library.conformal_message.restype = library.conformal_version.restype = ctypes.c_char_p
     return library
 
@@ -143,7 +144,7 @@ def solve(scene, changes=None, model=None):
 
 def program_file():
     """The program that the functions below run."""
-    return str(_FOLDER / "bin" / "bem_contact")
+    return str(_FOLDER / "bin" / ("bem_contact.exe" if _WINDOWS else "bem_contact"))
 
 
 def run(*words):
@@ -207,4 +208,6 @@ def main():
     """The command bem_contact."""
     sys.stdout.flush()
     words = [program_file(), *sys.argv[1:]]
+    if _WINDOWS:  # which cannot become another program
+        return subprocess.run(words).returncode
     os.execv(words[0], words)

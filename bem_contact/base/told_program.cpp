@@ -4,7 +4,6 @@
 #include "bem_contact/base/message_file.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace bem_contact {
 
@@ -14,8 +13,6 @@ std::string run_told_program(std::vector<std::string> words, const std::filesyst
   MessageFile told(folder / (name + "_messages.txt"));
   std::error_code unknown;
   std::filesystem::remove(told.file(), unknown); // of a call before
-  words.insert(words.begin(), {"env", fmt::format("{}={}", message_file_variable, told.file().string())});
-  const ProgramLine line(words);
   std::string errors, how;
   const auto take = [&] {
     for (const ToldMessage& message : told.next())
@@ -24,11 +21,9 @@ std::string run_told_program(std::vector<std::string> words, const std::filesyst
       else if (message.kind == Told::error)
         errors += (errors.empty() ? "" : " ") + message.text;
   };
-  ChildProcess child(folder / (name + "_printed.txt"), [&]() -> int {
-    line.become();
-    static_cast<void>(!write(STDERR_FILENO, "it cannot be started\n", 21));
-    _exit(1); // a normal end takes locks that other threads may have held
-  });
+  ChildProcess child(
+      folder / (name + "_printed.txt"),
+      {.words = std::move(words), .variables = {{message_file_variable, told.file().string()}}});
   std::string last; // of what stands on standard error: a library may end the program
   while (const auto said = child.next_line(stop, take)) {
     last = *said;

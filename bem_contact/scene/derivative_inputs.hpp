@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace bem_contact {
+
+struct SceneFile;
+
+/// What a number changes of a contact.
+enum class InputReach {
+  motion, ///< rigid slip, friction and prescribed shear forces alone
+  bodies, ///< where they stand, and where the reference point is: the load moves that, too
+  layer   ///< the layer between them
+};
+
+/// A number of one scene with respect to which its result has derivatives.
+struct SceneNumber {
+  std::string name, key, unit; ///< "lateral", "position.lateral", "mm"; the unit "1" for none
+  double* value;               ///< in the scene
+  InputReach reach;
+  double step; ///< in the unit, for differences of what the scene says of its elements; no contact is solved
+};
+
+/// The names that the key `derivatives` takes: "all", then those of numbers.
+std::vector<std::string> derivative_names();
+
+/// The numbers that the scene names, each once, in the order of derivative_names(). "all" stands for those
+/// that most scenes have, as far as this one gives them. Throws InputError for one that it does not give.
+std::vector<SceneNumber> derivative_inputs(SceneFile& scene);
+
+} // namespace bem_contact
