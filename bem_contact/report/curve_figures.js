@@ -4,7 +4,8 @@ const FORCES = {
   Fs: {colour: ALONG_S, dash: "dash", mark: "square"},
   Fy: {colour: ALONG_S, dash: "dash", mark: "square"},
   Fz: {colour: INK, dash: "dot", mark: "diamond"},
-  Mz: {colour: INK, dash: "dashdot", mark: "diamond-open"}
+  Mz: {colour: INK, dash: "dashdot", mark: "diamond-open"},
+  pmax: {colour: PRESSURE[1][1], dash: "solid", mark: "circle"}
 };
 
 /// What a run's own contact model has, beside ours.
@@ -25,7 +26,7 @@ const creepFigure = (data, which) => {
     traces.push({type: "scatter", mode: "lines", x: spans, y: [y, y], name: "friction bound μ Fn", showlegend: y > 0,
                  line: {color: BOUND, width: 1.5, dash: "dot"}});
   ["Fx", "Fs"].forEach((force, row) => {
-    traces.push(lineOver(x, curve[force].values, `${force}, N`, FORCES[force], curve[`${force}_error`].values));
+    traces.push(lineOver(x, curve[force].values, `${force}, N`, FORCES[force], curve[force].errors));
     const slope = data.kalker?.values[3 * row + column];
     if (slope && row === (which === "xi" ? 0 : 1)) {
       // The other two creepages have their part of the force too, and the geometry makes some of its own.
@@ -39,7 +40,7 @@ const creepFigure = (data, which) => {
                      name: `${force} by linear theory`, line: {color: FORCES[force].colour, width: 1}});
     }
   });
-  traces.push({...lineOver(x, curve.Mz.values, "Mz, N mm (right)", FORCES.Mz, curve.Mz_error.values), yaxis: "y2"});
+  traces.push({...lineOver(x, curve.Mz.values, "Mz, N mm (right)", FORCES.Mz, curve.Mz.errors), yaxis: "y2"});
   if (data.measured?.attributes.creepage === which) {
     const {points, attributes: {force}} = data.measured;
     if (data.band) // of a fit
@@ -224,14 +225,14 @@ const sweepFigure = (data, keys, key, names) => {
     for (const name of names) {
       const of = ofEither(name); // of wheelsets: the colour of the number, dashed for the left wheel
       const known = name.endsWith("_of_run")
-        ? OF_RUN : FORCES[of] ?? {colour: of === "pmax" ? PRESSURE[1][1] : INK, dash: "solid", mark: "circle"};
+        ? OF_RUN : FORCES[of] ?? {colour: INK, dash: "solid", mark: "circle"};
       const style = of === name ? known : {...known, dash: name.startsWith("left_") ? "dash" : "solid"};
       const pick = column => cases.map(i => column.values[i]);
       const which = of === name ? name : `${name.split("_")[0]} wheel`;
       const label = [names.length > 1 ? which : "", same].filter(Boolean).join("; ") || name;
       traces.push(lineOver(pick(over), pick(data[name]), label,
                            groups.size > 1 ? {...style, mark: marks[count % marks.length]} : style,
-                           data[`${name}_error`] && pick(data[`${name}_error`]), cases));
+                           data[name].errors && pick({values: data[name].errors}), cases));
       traces.at(-1).mode = key === TIME ? "lines" : key ? "lines+markers" : "markers";
     }
     ++count;

@@ -6,7 +6,7 @@ const addColumns = (table, names, caption, id, more = {}) => {
       caption, there.map(name => withUnit(name.replaceAll("_", " "), table[name])),
       table[there[0]].values.map(
           (_, i) =>
-              there.map(name => more[name]?.(i) ?? number(table[name].values[i], table[`${name}_error`]?.values[i]))),
+              there.map(name => more[name]?.(i) ?? entryText(table[name], i))),
       {id, wide: there.length > 6});
 };
 
@@ -46,7 +46,7 @@ const addCaseView = () => {
                 key => `${words(key)} ${keyText(own[key], index)} ${unitText(own[key].unit.replace(/^1$/, ""))}`.trim())
             .join(", ");
     line.textContent = `Case ${index}: ${where}; ${titleOf(contact.name).toLowerCase()}, largest pressure ` +
-        `${number(own.pmax?.values[index], own.pmax_error?.values[index])} MPa.` +
+        `${own.pmax ? entryText(own.pmax, index) : number()} MPa.` +
         (figure ? "" : " Nothing is in contact.");
     frame.className = figure ? "figure" : "";
     frame.hidden = !figure;
@@ -107,8 +107,7 @@ const SWEEP = {
   tables: () => {
     const keys = isReplay() ? [TIME].filter(name => name in data) : variedKeys();
     const columns = sweepViews().columns.flatMap(ofWheels).filter(name => name in data);
-    const cell = (name, i) => inDegrees(
-        number(data[name].values[i], data[`${name}_error`]?.values[i]), data[name].values[i], data[name].unit);
+    const cell = (name, i) => inDegrees(entryText(data[name], i), data[name].values[i], data[name].unit);
     addTable(
         "All cases",
         [
@@ -150,7 +149,7 @@ const addMeasured = (measured, id = "measured") => {
           .map(
               (at, i) =>
                   [number(at), number(column("measured")[i]), ...scatter.map(() => number(column("scatter")[i])),
-                   number(column("computed")[i], column("computed_error")[i]), number(column("difference")[i]),
+                   entryText(points.computed, i), number(column("difference")[i]),
                    share(i)]),
       {numbers: [0, 1, 2, 3, 4, 5], id});
 };
@@ -195,9 +194,7 @@ const CREEP_CURVES = {
             caption, ["", "d/dxi", "d/deta", "d/dphi"],
             ["Fx", "Fs", "Mz"].map(
                 (force, row) =>
-                    [force,
-                     ...[0, 1, 2].map(
-                         k => number(data[name].values[3 * row + k], data[`${name}_error`]?.values[3 * row + k]))]),
+                    [force, ...[0, 1, 2].map(k => entryText(data[name], 3 * row + k))]),
             {numbers: [1, 2, 3], id: name});
     matrix("slopes", "Slopes where nothing moves over the other (N; Mz: N mm; by phi: times mm)");
     matrix("kalker", "The same by Kalker's linear theory, for the nearest ellipse");
@@ -352,7 +349,7 @@ const STRESSES = {
   picture: () => mapsOfStresses().slice(0, 1).map(stressMap)[0],
   large: () => {
     const p = data.patches, change = p.von_mises_change.values[0];
-    const text = (name, unit) => `${number(p[name].values[0], p[`${name}_error`]?.values[0])} ${unit}`;
+    const text = (name, unit) => `${valueText(p, name)} ${unit}`;
     addLarge([
       ["von_mises", words("von_mises"), text("von_mises", "MPa")],
       ["depth", "its depth", text("von_mises_depth", "mm")],

@@ -8,6 +8,7 @@
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/json.hpp"
 #include "bem_contact/report/mesh_file.hpp"
+#include "bem_contact/report/scene_values.hpp"
 #include "bem_contact/report/settings.hpp"
 
 #include <algorithm>
@@ -136,19 +137,21 @@ void require_library() {
                      "Run tools/install_packages contact-only, configure again (cmake --fresh) and build.");
 }
 
-Record said_of(const record::Found& found) {
+Record said_of(const Record& answer) {
+  const record::Found found = record::found_in(answer);
   return {{"found", record::Texts{found.sentences, "what was found"}},
-          {"next", record::Texts{found.next, "what may be asked next"}}};
+          {"next", record::Texts{found.next, "what may be asked next"}},
+          {"scene_values", scene_values(record::text_at(answer, "scene_with_defaults").value_or(""))}};
 }
 
-/// With what was found, of a study in each part too.
+/// With what was found and asked, of a study in each part too.
 Record with_words(Record page) {
   const Record& data = std::get<Record>(*record::find(page, "data"));
-  Record parts, out = said_of(record::found_in(data));
+  Record parts, out = said_of(data);
   if (const auto* all = record::find(data, "parts"); all && std::holds_alternative<Record>(*all))
     for (const auto& [name, one] : std::get<Record>(*all).entries())
       if (const auto* part = std::get_if<Record>(&one))
-        parts.add(name, said_of(record::found_in(*part)));
+        parts.add(name, said_of(*part));
   out.add("parts", std::move(parts));
   return std::move(out.append(std::move(page)));
 }

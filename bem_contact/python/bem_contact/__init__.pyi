@@ -166,7 +166,6 @@ def conicity(
     to: float = 10.0,
     step: float = 1.0,
     folder: str | PathLike[str] | None = None,
-    executor: Executor | None = None,
 ) -> dict[str, Any]:
     """Rolling radius difference and equivalent conicity (EN 15302) of a wheelset: a dict of NumPy arrays.
 

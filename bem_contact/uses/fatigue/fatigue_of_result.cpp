@@ -210,6 +210,8 @@ record::Record record_of(const Fatigue& f, const ContactGrid& grid) {
 
 record::Record record_of(const CollectiveFatigue& f, const FatigueProperties& properties) {
   using record::Number;
+  record::Table patches = record::table_of("patch of a case", collective_columns(), f.patches);
+  patches.layout = record::Layout::rows;
   return {
       {"cases", Number{double(f.cases), "1", "of the collective", {}, true}},
       {"beyond_surface_limit",
@@ -221,7 +223,7 @@ record::Record record_of(const CollectiveFatigue& f, const FatigueProperties& pr
                                     true}},
       {"damage", Number{f.damage, "1", "of one passage, mean over the collective"}},
       {"yield_shear", Number{properties.yield_shear, "MPa", "k, the yield stress in shear"}},
-      {"patches", record::table_of("patch of a case", collective_columns(), f.patches)}};
+      {"patches", std::move(patches)}};
 }
 
 } // namespace bem_contact::fatigue
