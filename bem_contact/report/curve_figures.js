@@ -142,6 +142,71 @@ const patchesFigure = (data, key) => {
   };
 };
 
+/// Of a sweep along the track: each patch as the ellipse that it is, where it lies on the rail, from above.
+const passageFigure = data => {
+  const p = data.patches, places = data["position.along"].values, largest = Math.max(...p.pmax.values);
+  const turn = Array.from({length: 25}, (_, i) => 2 * Math.PI * i / 24);
+  const traces = p.case.values.map((index, k) => {
+    const [a, b, angle] = ["semi_axis_a", "semi_axis_b", "axis_angle"].map(name => p[name].values[k]);
+    const across = Math.cos(p.delta.values[k]), at = places[index] + p.x.values[k];
+    return {
+      type: "scatter",
+      mode: "lines",
+      x: turn.map(t => at + a * Math.cos(angle) * Math.cos(t) - b * Math.sin(angle) * Math.sin(t)),
+      y: turn.map(t => p.y.values[k] +
+          across * (a * Math.sin(angle) * Math.cos(t) + b * Math.cos(angle) * Math.sin(t))),
+      fill: "toself",
+      fillcolor: `rgba(59,124,196,${(0.12 + 0.88 * p.pmax.values[k] / largest).toFixed(3)})`,
+      line: {color: INK, width: 0.7},
+      customdata: turn.map(() => index),
+      text: `place ${number(places[index])} mm<br>Fn ${p.Fn.values[k].toPrecision(5)} N<br>pmax ${
+          p.pmax.values[k].toPrecision(5)} MPa`,
+      hovertemplate: "%{text}<extra></extra>"
+    };
+  });
+  return {
+    traces,
+    height: 330,
+    layout: {
+      xaxis: {title: "along the track, mm"},
+      yaxis: {title: `y to the ${sceneValue("position.side") || "right"}, mm`},
+      showlegend: false
+    }
+  };
+};
+
+/// The same from the side: the places of contact, and how the wheel's centre goes, which z counts down from its highest
+/// place.
+const passageSideFigure = data => {
+  const p = data.patches, places = data["position.along"].values, order = places.map((_, i) => i);
+  order.sort((a, b) => places[a] - places[b]);
+  const known = order.filter(i => Number.isFinite(data.vertical.values[i]));
+  const largest = Math.max(...p.Fn.values), highest = Math.min(...known.map(i => data.vertical.values[i]));
+  return {
+    traces: [
+      lineOver(known.map(i => places[i]), known.map(i => data.vertical.values[i] - highest),
+               "wheel's centre, from its highest place", {colour: WHEEL, dash: "solid", mark: "circle"}, undefined,
+               known),
+      {
+        type: "scatter",
+        mode: "markers",
+        x: p.case.values.map((i, k) => places[i] + p.x.values[k]),
+        y: p.z.values,
+        customdata: p.case.values,
+        name: "places of contact",
+        hovertemplate: "%{x:.1f} mm, z %{y:.3f} mm<extra></extra>",
+        marker: {color: RAIL, symbol: "diamond", size: p.Fn.values.map(f => 3 + 7 * Math.sqrt(f / largest))}
+      }
+    ],
+    height: 330,
+    layout: {
+      xaxis: {title: "along the track, mm"},
+      yaxis: {title: "z, down, mm", autorange: "reversed"},
+      legend: ABOVE
+    }
+  };
+};
+
 /// Columns of a sweep over one key. Only cases that have the same other keys are joined.
 const sweepFigure = (data, keys, key, names) => {
   const over = along(data, key), groups = new Map();

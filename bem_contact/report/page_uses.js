@@ -28,6 +28,14 @@ const addCaseView = () => {
         frame = add("div", "", block, {id: `${idPrefix}case-patch`});
   add("div", "", frame, {className: "drawing"});
   const line = add("p", "A click on a mark shows the patch of its case here.", block, {className: "caption"});
+  const shown = Object.keys(cases).map(Number);
+  if (alongTrack() && shown.length > 1) { // a film of the passage
+    const film = add("input", "", block, {
+      type: "range", id: `${idPrefix}film`, min: 0, max: shown.length - 1, value: 0, ariaLabel: "place of the patch"
+    });
+    film.addEventListener("input", () => showCase?.(shown[Number(film.value)]));
+    line.textContent = "Move the slider, or click on a mark: the patch of that place is shown here.";
+  }
   return async index => {
     if (!cases[index])
       return void (line.textContent = `Case ${index} has no patch.`);
@@ -67,6 +75,16 @@ const sweepFigures = () => {
           "darker ones larger pressures.",
       {...patchesFigure(data, key), click}
     ]);
+  if (out.length && alongTrack() && key === "position.along") {
+    out.push(["passage-above",
+              "The passage from above: each patch as an ellipse of its size, where it lies along the track. " +
+                  "The darker, the larger its pressure.",
+              {...passageFigure(data), click}, "wide"]);
+    out.push(["passage-side",
+              "The passage from the side: how the wheel's centre sinks and rises, and where it stands; " +
+                  "larger marks carry larger normal forces.",
+              {...passageSideFigure(data), click}, "wide"]);
+  }
   for (const names of sweepViews()
            .figures.filter(([name]) => key !== `position.${name}`)
            .map(names => isReplay() ? names.filter(name => name in data) : names.flatMap(ofWheels)))

@@ -190,8 +190,10 @@ friction = {friction:g}
 dx = 0.8                    # mm
 ds = 0.5
 
-[sweep]
-position.along = {{ from = {from:g}, to = {to:g}, step = {step:g} }}
+[passage]
+from = {from:g}                 # mm along the track
+to = {to:g}
+step = {step:g}
 
 # The sections: a rail whose wing leads away from {knee:g} mm on, and a nose that begins {nose_width:g} mm wide and {nose_drop:g} mm
 # too low. `features` are the lines that join them; `without` says which of them a section does not have.

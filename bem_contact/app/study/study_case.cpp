@@ -117,7 +117,7 @@ StudyCase study_case(SceneText text) {
   StudyCase out{std::move(text), {}};
   require_text(out.text.toml, out.text.source, "scene");
   for (const auto& [name, node] : parsed(out.text.toml, out.text.source))
-    out.tables.emplace_back(name.str());
+    out.tables.emplace_back(name == "passage" ? "sweep" : name.str()); // which solves the cases of both
   schema_of(out).read(out.text.toml, out.text.source);
   return out;
 }

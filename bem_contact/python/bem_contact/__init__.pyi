@@ -142,13 +142,14 @@ class Profile(PathLike[str]):
     def __fspath__(self) -> str: ...
 
 class Sections(PathLike[str]):
-    """A rail whose section changes along the track, for wherever `rail.profile` goes."""
+    """A rail whose section changes along the track, or a wheel whose section changes round its axle."""
 
     def __init__(
         self,
         at: _List[float] | NDArray[Any],
         profiles: _List[str | PathLike[str]],
         features: _List[_List[float]] | None = None,
+        kind: Literal["rail", "wheel"] = "rail",
     ) -> None: ...
     def __fspath__(self) -> str: ...
 

@@ -2,6 +2,8 @@
 
 import h5py
 import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
 
 from . import style
 from .kinds import require_columns, text
@@ -9,6 +11,7 @@ from .refusals import refuse
 from .shared import VIEWS
 
 PASSAGE = "position.along"  # the key of a sweep along the track
+FILM = 6  # patches that are drawn of a passage
 MARKS = ("o", "s", "D", "^", "v", "x", "+", "*")
 
 
@@ -95,6 +98,75 @@ def draw_wheels(axis, file, quantity, over, groups, certified, joined):
         axis.legend()
 
 
+def ellipse_of(p, k, at):
+    """The outline of a patch as it is seen from above: x along the track, y across it."""
+    turn = np.linspace(0, 2 * np.pi, 37)
+    a, b, c, s = p["semi_axis_a"][k] * np.cos(turn), p["semi_axis_b"][k] * np.sin(turn), np.cos(p["axis_angle"][k]), np.sin(p["axis_angle"][k])
+    return at + p["x"][k] + a * c - b * s, p["y"][k] + np.cos(p["delta"][k]) * (a * s + b * c)
+
+
+def draw_from_above(figure, axis, p, places):
+    """Each patch as the ellipse that it is, where it lies along the track."""
+    largest = p["pmax"].max()
+    for k, case in enumerate(p["case"].astype(int)):
+        axis.fill(*ellipse_of(p, k, places[case]), facecolor=style.PRESSURE(p["pmax"][k] / largest), edgecolor=style.INK, linewidth=0.5)
+    figure.colorbar(ScalarMappable(Normalize(0, largest), style.PRESSURE), ax=axis, label="largest pressure, MPa")
+    axis.invert_yaxis()  # y to the right of who looks ahead
+    axis.set(title="From above: the patches", ylabel="y, mm")
+
+
+def draw_from_the_side(axis, file, p, places, certified):
+    """How the wheel's centre goes, and where it stands on the rail."""
+    sure = np.flatnonzero(certified)
+    sure = sure[np.argsort(places[sure])]
+    height = file["vertical"][:][sure]
+    axis.plot(places[sure], height - height.min(), color=style.WHEEL, marker="o", markersize=3.5, label="wheel's centre, below its highest place")
+    axis.scatter(places[p["case"].astype(int)] + p["x"], p["z"], s=8 + 40 * p["Fn"] / p["Fn"].max(), marker="D", color=style.RAIL,
+                 label="places of contact, larger with the force", zorder=3)
+    axis.invert_yaxis()  # z points down
+    axis.set(title="From the side", xlabel="along the track, mm", ylabel="z, mm, down")
+    axis.legend()
+
+
+def draw_film(axes, file, places, certified):
+    """Pressures of places along the track, one scale for all."""
+    kept = [i for i in np.flatnonzero(certified) if f"cases/{i:06d}/p_n" in file]
+    kept = [kept[i] for i in np.unique(np.linspace(0, len(kept) - 1, len(axes)).astype(int))] if kept else []
+    fields = [file[f"cases/{i:06d}/p_n"][:] for i in kept]
+    for axis, i, field in zip(axes, kept, fields):
+        case = file[f"cases/{i:06d}"]
+        x, s = case["x"][:], case["s"][:]
+        axis.pcolormesh(x, s, field, cmap=style.PRESSURE, vmin=0, vmax=max(f.max() for f in fields), shading="nearest")
+        axis.set_aspect("equal", "datalim")
+        axis.set(title=f"at {places[i]:g} mm", xlabel="x, mm")
+    for axis in axes[len(kept):]:
+        axis.set_axis_off()
+    if kept:
+        axes[0].set_ylabel("s, mm")
+
+
+def draw_passage(file, certified, left_out):
+    """A wheel that goes along the track: from above, from the side, a film of its patches, and what it does."""
+    places = file[PASSAGE][:]
+    p = {name: data[:] for name, data in file["patches"].items()}
+    shown = [names for names in figures_of(file, "sweep along the track", PASSAGE, certified) if names != ["vertical"]]  # from the side
+    figure = style.figure((19, 14))
+    grid = figure.add_gridspec(4, 1)
+    above, side = figure.add_subplot(grid[0]), figure.add_subplot(grid[1])
+    side.sharex(above)
+    draw_from_above(figure, above, p, places)
+    draw_from_the_side(side, file, p, places, certified)
+    film = grid[2].subgridspec(1, FILM)
+    draw_film([figure.add_subplot(film[k]) for k in range(FILM)], file, places, certified)
+    row = grid[3].subgridspec(1, max(len(shown), 1))
+    for k, names in enumerate(shown):
+        axis = figure.add_subplot(row[k])
+        draw_totals(axis, file, names, places, {"": list(range(len(places)))}, certified, True)
+        axis.set(title=style.heading(names), xlabel="along the track, mm")
+    figure.suptitle(f"Passage: {len(certified)} places, bars: errors by the size of the elements{left_out}", fontsize=11)
+    return figure
+
+
 def figures_of(file, view, lead, certified):
     """The figures of a view: lists of the names that it draws in one panel, of which the file knows each."""
     def is_known(name):
@@ -123,11 +195,13 @@ def draw(files):
             over, unit = np.arange(len(certified)), ""
         name = style.titled(lead, unit) if lead and not keys[lead] else "case"
         groups = groups_of(file, keys, lead)
+        left_out = "" if certified.all() else f"; {(~certified).sum()} without a certificate are left out"
+        if list(keys) == [PASSAGE] and "vertical" in file and "patches" in file and np.isfinite(file["patches/y"][:]).any():
+            return draw_passage(file, certified, left_out)
         wheelsets = "right_share" in file
         shown = figures_of(file, "sweep of wheelsets" if wheelsets else "sweep along the track" if lead == PASSAGE else "sweep", lead, certified)
         columns = -(-(len(shown) + (not wheelsets)) // 2)
         figure, axes = style.panels(2, columns, (12.5 if columns < 3 else 5.7 * columns, 8.8))
-        left_out = "" if certified.all() else f"; {(~certified).sum()} without a certificate are left out"
         places = list(axes.flat)
         joined = lead is not None
         if not wheelsets:
