@@ -241,17 +241,13 @@ void add_found_lateral(Record& out, const SceneResult& r) {
 } // namespace
 
 record::Table patches_of(const SceneResult& r) {
-  record::Table out = record::table_of("patch", patch_quantities(), r.result.patches.size(), is_shift(r),
-                                       [&](auto value, std::size_t i) { return value(r, i); });
-  out.layout = record::Layout::rows;
-  return out;
+  return record::as_rows(record::table_of("patch", patch_quantities(), r.result.patches.size(), is_shift(r),
+                                          [&](auto value, std::size_t i) { return value(r, i); }));
 }
 
 record::Table history_of(const SceneResult& r) {
-  record::Table out = record::table_of("step", step_quantities(), r.history.size(), is_shift(r),
-                                       [&](auto value, std::size_t i) { return value(r, r.history[i]); });
-  out.layout = record::Layout::rows;
-  return out;
+  return record::as_rows(record::table_of("step", step_quantities(), r.history.size(), is_shift(r),
+                                          [&](auto value, std::size_t i) { return value(r, r.history[i]); }));
 }
 
 Record record_of(const SceneResult& r, const RecordParts& parts) {

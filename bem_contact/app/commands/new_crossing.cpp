@@ -96,7 +96,7 @@ private:
 };
 
 /// The rail's own gauge side with a round corner at the width of the nose, `lower` than the rail.
-void add_nose(CrossingSection& out, const Head& head, double width, double inner_line, double lower) {
+void add_nose(CrossingSection& out, const Head& head, double width, double inner, double lower) {
   const double r = std::min(corner, widest_corner * width);
   const Point2 down{0, lower};
   double delta = 0; // where the corner begins its slope is that of the head
@@ -110,7 +110,7 @@ void add_nose(CrossingSection& out, const Head& head, double width, double inner
     else
       break;
   out.points.push_back(begin.position + down);
-  out.nose_lines = {out.points.front(), head.across(inner_line).position + down, out.points.back()};
+  out.nose_lines = {out.points.front(), head.across(inner).position + down, out.points.back()};
   const int parts = std::max(8, static_cast<int>(std::ceil(2 * r / point_spacing)));
   for (int i = 1; i <= parts; ++i) {
     const double to = delta + (std::numbers::pi / 2 - delta) * i / parts;
@@ -190,8 +190,10 @@ friction = {friction:g}
 dx = 0.8                    # mm
 ds = 0.5
 
-[sweep]
-position.along = {{ from = {from:g}, to = {to:g}, step = {step:g} }}
+[passage]
+from = {from:g}                 # mm along the track
+to = {to:g}
+step = {step:g}
 
 # The sections: a rail whose wing leads away from {knee:g} mm on, and a nose that begins {nose_width:g} mm wide and {nose_drop:g} mm
 # too low. `features` are the lines that join them; `without` says which of them a section does not have.

@@ -163,7 +163,7 @@ void require_derivatives(const SceneFile& scene) {
   if (scene.layer.slope)
     refuse("the layer is found for layer.slope",
            "Give the layer.compliance that was found (layer_compliance of the result).");
-  if (scene.has_sections())
+  if (scene.rail.has_sections())
     refuse("the rail changes along the track, and its results are turned into the track's frame",
            "Leave out derivatives, or give one section of the rail.");
   if (is_placed_by_contact(scene))

@@ -64,14 +64,52 @@ Wrench wrench_on_roller(const SceneResult& result, Point2 centre, const Roller& 
   return out;
 }
 
+/// What the slope of a rail adds to the forces that elements have in its frame, at the middle of the
+/// pressure.
+Wrench wrench_of_slope(const SceneResult& result, Point2 centre, const Vector3& of_elements) {
+  Vector3 middle{};
+  double pressed = 0;
+  for (const PatchSummary& p : result.result.patches) {
+    middle[0] += p.fn * p.x, middle[1] += p.fn * p.position.y, middle[2] += p.fn * p.position.z;
+    pressed += p.fn;
+  }
+  if (!(pressed > 0))
+    return {};
+  const ContactTotals& totals = result.result.totals;
+  const Vector3 whole{totals.Fx + result.motion.slope_force.value_or(0), totals.Fy, totals.Fz};
+  return wrench_at(between(of_elements, whole),
+                   {middle[0] / pressed, middle[1] / pressed - centre.y, middle[2] / pressed - centre.z});
+}
+
+/// Elements have their forces in the rail's frame.
+Wrench wrench_on_sections(const SceneResult& result, Point2 centre, const RailFrame& frame) {
+  Wrench out;
+  const ContactGrid& grid = result.problem.grid;
+  const double area = result.problem.element_area();
+  for (int i = 0; i < grid.size(); ++i) {
+    if (!(result.result.pn[i] > 0))
+      continue;
+    const ContactRow& row = result.problem.rows[i / grid.mx];
+    const Point2 across =
+        area * (result.result.ps[i] * tangent_of(row.delta) + result.result.pn[i] * normal_of(row.delta));
+    const Vector3 at = frame.point_in_track({grid.x(i % grid.mx), row.position.y, row.position.z});
+    out += wrench_at(frame.in_track({area * result.result.px[i], across.y, across.z}),
+                     {at[0], at[1] - centre.y, at[2] - centre.z});
+  }
+  return out + wrench_of_slope(result, centre, out.force);
+}
+
 } // namespace
 
 Wrench wrench_of(const SceneResult& result, Point2 centre, const std::optional<Roller>& roller) {
   if (roller)
     return wrench_on_roller(result, centre, *roller);
+  if (result.motion.frame)
+    return wrench_on_sections(result, centre, *result.motion.frame);
   const auto [fx, fy, fz, mx, my, mz] =
       force_and_moment(result.problem, result.result, result.problem.rows, centre);
-  return {{fx, fy, fz}, {mx, my, mz}};
+  const Wrench out{{fx, fy, fz}, {mx, my, mz}};
+  return result.motion.slope_force ? out + wrench_of_slope(result, centre, out.force) : out;
 }
 
 namespace {
@@ -198,7 +236,7 @@ double WheelPair::lowered(WheelSide side, double lateral, double roll) {
   WheelsetPosition position = scene.position;
   position.lateral = lateral;
   position.roll = roll;
-  WheelOnRail pair = place(position, profiles.rail, profiles.wheel);
+  WheelOnRail pair = placed_bodies(scene, profiles, position);
   const double before = pair.wheel_pose.origin.z;
   lower_to_touch(pair);
   return pair.wheel_pose.origin.z - before - larger(side);
