@@ -166,6 +166,9 @@ void require_derivatives(const SceneFile& scene) {
   if (scene.rail.has_sections())
     refuse("the rail changes along the track, and its results are turned into the track's frame",
            "Leave out derivatives, or give one section of the rail.");
+  if (scene.wheel.has_sections())
+    refuse("the wheel changes round its circumference, and its results are turned into the track's frame",
+           "Leave out derivatives, or give one section of the wheel.");
   if (is_placed_by_contact(scene))
     refuse("solver.contact_motion = \"placed\" moves the bodies with the solution",
            "Choose solver.contact_motion = \"linear\", or leave out derivatives.");
