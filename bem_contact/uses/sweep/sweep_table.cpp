@@ -90,7 +90,8 @@ std::string description_of(const SweepFile::Axis& axis) {
 
 /// An axis without its values.
 H5Dataset form_of(const SweepFile::Axis& axis) {
-  return {.unit = axis.unit(),
+  return {.values = {},
+          .unit = axis.unit(),
           .description = description_of(axis),
           .role = std::string(name_of(axis.is_note() ? record::Role::carried : record::Role::swept)),
           .choices = has_texts(axis) ? choices_of(axis) : std::vector<std::string>()};
