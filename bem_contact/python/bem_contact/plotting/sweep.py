@@ -1,5 +1,7 @@
 """A sweep: where the patches lie, and totals over the key that varies; of wheelsets, what each wheel bears."""
 
+import textwrap
+
 import h5py
 import numpy as np
 from matplotlib.cm import ScalarMappable
@@ -12,6 +14,7 @@ from .shared import VIEWS
 
 PASSAGE = "position.along"  # the key of a sweep along the track
 FILM = 6  # patches that are drawn of a passage
+TITLE_WIDTH = 24  # letters of a line above one of its five panels
 MARKS = ("o", "s", "D", "^", "v", "x", "+", "*")
 
 
@@ -162,7 +165,7 @@ def draw_passage(file, certified, left_out):
     for k, names in enumerate(shown):
         axis = figure.add_subplot(row[k])
         draw_totals(axis, file, names, places, {"": list(range(len(places)))}, certified, True)
-        axis.set(title=style.heading(names), xlabel="along the track, mm")
+        axis.set(title=textwrap.fill(style.heading(names), TITLE_WIDTH), xlabel="along the track, mm")
     figure.suptitle(f"Passage: {len(certified)} places, bars: errors by the size of the elements{left_out}", fontsize=11)
     return figure
 
