@@ -20,6 +20,7 @@
 namespace {
 
 using namespace bem_contact;
+using shapes::standing;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
@@ -51,15 +52,6 @@ const ProfileCurve& uic60() {
 const ProfileCurve& head() {
   static const ProfileCurve curve = moved(uic60(), {0, 0});
   return curve;
-}
-
-WheelsetPosition standing(double lateral, double yaw = 0, double along = 0) {
-  WheelsetPosition position;
-  position.lateral = lateral;
-  position.yaw = yaw;
-  position.rail_inclination = 0.025;
-  position.uneven.along = along;
-  return position;
 }
 
 struct Placed {

@@ -5,6 +5,7 @@
 #include "bem_contact/geometry/undeformed_distance.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/sections/wheel_surface.hpp"
+#include "tests/geometry/shapes.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,6 +17,7 @@
 namespace {
 
 using namespace bem_contact;
+using shapes::standing;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
@@ -40,15 +42,6 @@ std::shared_ptr<const SectionedSurface> wheel_by(int count, double first, double
   for (int i = 0; i < count; ++i)
     sections.push_back({first + i * apart, ground_wheel(depth(first + i * apart))});
   return std::make_shared<const SectionedSurface>(wheel_surface(std::move(sections)));
-}
-
-WheelsetPosition wheel_standing(double lateral, double yaw, double along = 0) {
-  WheelsetPosition position;
-  position.lateral = lateral;
-  position.yaw = yaw;
-  position.rail_inclination = 0.025;
-  position.uneven.along = along;
-  return position;
 }
 
 struct Lowered {
@@ -79,8 +72,8 @@ TEST(WheelSections, ThatAreAllEqualAreTheProfile) {
     sections.push_back({angle, wheel_profile()});
   const auto wheel = std::make_shared<const SectionedSurface>(wheel_surface(sections));
   for (const auto& [lateral, yaw] : {std::pair{0.0, 0.0}, {3.0, 0.01}, {6.0, -0.005}}) {
-    const Lowered round(wheel_standing(lateral, yaw), wheel_profile()),
-        given(wheel_standing(lateral, yaw, 700), wheel_profile(), wheel);
+    const Lowered round(standing(lateral, yaw), wheel_profile()),
+        given(standing(lateral, yaw, 700), wheel_profile(), wheel);
     EXPECT_NEAR(given.height(), round.height(), 1e-9) << lateral;
     EXPECT_NEAR(given.touch.rail_s, round.touch.rail_s, 1e-5) << lateral;
     const std::vector<double> a = round.gaps(round.touch), b = given.gaps(round.touch);
@@ -92,7 +85,7 @@ TEST(WheelSections, ThatAreAllEqualAreTheProfile) {
 /// Waves by sections are those of wheel.polygon, by the fourth power of the distance of sections.
 TEST(WheelSections, OfWavesConvergeToThem) {
   const auto waves = [](double angle) { return -0.05 * std::cos(6 * (angle - 0.2)); };
-  WheelsetPosition position = wheel_standing(1, 0.004, 120);
+  WheelsetPosition position = standing(1, 0.004, 120);
   position.uneven.polygon = {{6}, {0.05}, {0.2}};
   const Lowered polygon(position, ground_wheel(0));
   position.uneven.polygon = {};
@@ -111,7 +104,7 @@ TEST(WheelSections, OfWavesConvergeToThem) {
 
 /// A worn flat between sections about it; the rest of the wheel is round although it has no section.
 TEST(WheelSections, OfAFlatAreTheFlat) {
-  WheelsetPosition position = wheel_standing(0, 0, 12);
+  WheelsetPosition position = standing(0, 0, 12);
   position.uneven.flat = {.depth = 0.5, .rounding = 30, .angle = 0.01};
   const UnevenSurfaces flat(position.uneven, nominal_radius);
   const auto depth = [&](double angle) { return flat.depth(angle - 12 / nominal_radius); };
@@ -130,7 +123,7 @@ TEST(WheelSections, OfAFlatAreTheFlat) {
   WheelsetPosition far = position;
   far.uneven.along = 900;
   EXPECT_NEAR(Lowered(far, ground_wheel(0), sections).height(),
-              Lowered(wheel_standing(0, 0), ground_wheel(0)).height(), 1e-6);
+              Lowered(standing(0, 0), ground_wheel(0)).height(), 1e-6);
 }
 
 /// A wheel whose tread is worn hollow on one side of it: the height that brute force finds over all points.
@@ -147,7 +140,7 @@ TEST(WheelSections, OfOtherShapesTouchWhereBruteForceTouches) {
   }
   const auto wheel = std::make_shared<const SectionedSurface>(wheel_surface(sections));
   for (const double along : {0.0, 350.0}) {
-    const WheelsetPosition position = wheel_standing(2, 0.006, along);
+    const WheelsetPosition position = standing(2, 0.006, along);
     WheelOnRail pair =
         place(position, named_profile("60E1", ProfileKind::rail), sections[0].profile, {}, wheel);
     const double before = pair.wheel_pose.origin.z;
@@ -201,8 +194,8 @@ TEST(WheelSections, SayWhatIsWrong) {
   EXPECT_THAT(message({{0, s}, {1, s}, {0.5, s}}),
               AllOf(HasSubstr("Section 3"), HasSubstr("at 0.5 rad"), HasSubstr("out of order")));
   EXPECT_THAT(message({{-180, s}, {0, s}, {180, s}}), HasSubstr("a turn has 6.2832 rad"));
-  const Lowered off(wheel_standing(0, 0), s); // a roller takes no such wheel
-  WheelsetPosition rig = wheel_standing(0, 0);
+  const Lowered off(standing(0, 0), s); // a roller takes no such wheel
+  WheelsetPosition rig = standing(0, 0);
   rig.roller_radius = 500;
   EXPECT_THROW(place(rig, named_profile("60E1", ProfileKind::rail), s, {},
                      std::make_shared<const SectionedSurface>(wheel_surface({{0, s}, {1, s}}))),

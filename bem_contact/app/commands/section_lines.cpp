@@ -3,10 +3,12 @@
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/toml.hpp"
 #include "bem_contact/profile/sections/slices_file.hpp"
 #include "bem_contact/scene/sectioned_bodies.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -23,22 +25,31 @@ constexpr int between_sections = 4;
 /// rad. A wheel's sections are repeated beyond one turn.
 constexpr double half_turn = 3.1416;
 
+/// Whether a file is a scene whose rail or wheel is given by sections.
+bool is_scene_of_sections(const std::string& name) {
+  if (std::filesystem::path(name).extension() != ".toml" || !is_regular(name))
+    return false;
+  try {
+    const toml::table file = parse_toml(read_text_file(name, "scene file"), name);
+    return std::ranges::any_of(std::array{"rail", "wheel"}, [&](const char* side) {
+      return file[side]["sections"] || names_slices(file[side]["profile"].value_or(std::string()));
+    });
+  } catch (const toml::parse_error&) { // whoever reads it as something else says what is wrong
+    return false;
+  }
+}
+
 /// Nothing of a file that is no scene, or a scene without sections.
 std::optional<SceneFile> scene_of_sections(const std::string& name, const ProfileReading& reading) {
-  SceneFile scene;
-  if (names_slices(name)) {
-    const bool wheel = name.ends_with('w') || name.ends_with('W');
-    SceneFile::Side& side = wheel ? scene.wheel : scene.rail;
+  if (const auto kind = kind_of_slices(name)) {
+    SceneFile scene;
+    SceneFile::Side& side = *kind == ProfileKind::wheel ? scene.wheel : scene.rail;
     side.profile = name;
     side.reading = reading;
     side.reading.keep_origin = true;
     return scene;
   }
-  if (std::filesystem::path(name).extension() != ".toml" || !is_regular(name) ||
-      read_text_file(name, "scene file").find("sections") == std::string::npos)
-    return std::nullopt;
-  scene = read_scene_file(name);
-  return scene.rail.has_sections() || scene.wheel.has_sections() ? std::optional(scene) : std::nullopt;
+  return is_scene_of_sections(name) ? std::optional(read_scene_file(name)) : std::nullopt;
 }
 
 /// The places of a surface, and some between them.

@@ -6,7 +6,6 @@
 #include "bem_contact/profile/sections/slices_file.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
@@ -17,13 +16,6 @@
 namespace bem_contact::app::from_contact {
 
 namespace {
-
-std::string lower_ending(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
 
 /// The length unit that multiplies by `scale`; "": there is none.
 std::string unit_of(double scale) {
@@ -140,7 +132,7 @@ bool ProfileKeys::keeps_origin() const {
 }
 
 bool ProfileKeys::is_of_sections() const {
-  return names_slices(file_.string());
+  return names_slices(file_);
 }
 
 } // namespace bem_contact::app::from_contact

@@ -9,8 +9,6 @@ namespace {
 
 /// mm of t between two bodies. Searches go in steps of some mm, and none leads from one to the other.
 constexpr double gap_of_t = 1000;
-/// mm. What lies beyond the end of a section by less is its end: rounding.
-constexpr double end_of_body = 1e-7;
 
 double middle_y(const SectionedSurface& surface) {
   const auto [from, to] = surface.extent(surface.from());
@@ -60,8 +58,7 @@ bool RailSurfaces::has(double u, double t) const {
   const SectionedSurface& surface = *bodies_[place].surface;
   if (count() > 1 && (u < surface.from() || u > surface.to()))
     return false;
-  const auto [from, to] = surface.extent(u);
-  return t - begin_[place] >= from - end_of_body && t - begin_[place] <= to + end_of_body;
+  return surface.has(u, t - begin_[place]);
 }
 
 } // namespace bem_contact

@@ -305,11 +305,15 @@ std::pair<double, double> SectionedSurface::extent(double u) const {
   return {lines_[first - there.begin()], lines_[last - there.begin()]};
 }
 
-ProfileCurve SectionedSurface::section(double u, std::vector<double>& t) const {
+bool SectionedSurface::has(double u, double t) const {
   const auto [from, to] = extent(u);
+  return t >= from - end_of_section && t <= to + end_of_section;
+}
+
+ProfileCurve SectionedSurface::section(double u, std::vector<double>& t) const {
   std::vector<SectionNode> nodes;
   for (const double node : t_)
-    if (node >= from - end_of_section && node <= to + end_of_section) {
+    if (has(u, node)) {
       const Point before = at(u, node, -1), after = at(u, node, 1);
       nodes.push_back({u, node, after.position, before.by_t, after.by_t});
     }

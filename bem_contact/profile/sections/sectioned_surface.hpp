@@ -60,6 +60,8 @@ public:
   Point at(double u, double t, int side = 1) const;
   /// t of both ends of what is there at u, mm.
   std::pair<double, double> extent(double u) const;
+  /// Whether t is on what is there at u, or at its end.
+  bool has(double u, double t) const;
   /// All t at which curves are tabulated, rising: tangents may jump there and nowhere else.
   const std::vector<double>& nodes() const { return t_; }
   /// The feature lines, given or found: t of each.

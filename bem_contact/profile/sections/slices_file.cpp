@@ -7,8 +7,6 @@
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -164,25 +162,17 @@ ProfileCurve profile_of(const std::filesystem::path& file, const Slice& slice, P
   }
 }
 
-/// ".slcw" of "W.SLCW"
-std::string lower_ending(std::string_view name) {
-  std::string ending(name.substr(std::min(name.rfind('.'), name.size())));
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
-constexpr const char *of_rails = ".slcs", *of_wheels = ".slcw";
-
 } // namespace
 
-bool names_slices(std::string_view name) {
+std::optional<ProfileKind> kind_of_slices(const std::filesystem::path& name) {
   const std::string ending = lower_ending(name);
-  return ending == of_rails || ending == of_wheels;
+  return ending == ".slcs"   ? std::optional(ProfileKind::rail)
+         : ending == ".slcw" ? std::optional(ProfileKind::wheel)
+                             : std::nullopt;
 }
 
 SlicesFile read_slices(const std::filesystem::path& file) {
-  const char* unit = lower_ending(file.string()) == of_wheels ? "rad" : "mm";
+  const char* unit = kind_of_slices(file) == ProfileKind::wheel ? "rad" : "mm";
   SliceLines in(file);
   const SlicesHeader header = read_header(in);
   SlicesFile all{{}, header.approximated};
@@ -225,10 +215,10 @@ SlicesFile read_slices(const std::filesystem::path& file) {
 SlicedBody sections_of_slices(const std::filesystem::path& file, ProfileKind kind,
                               const ProfileReading& reading) {
   const bool wheel = kind == ProfileKind::wheel;
-  if ((lower_ending(file.string()) == of_wheels) != wheel)
+  if ((kind_of_slices(file) == ProfileKind::wheel) != wheel)
     throw InputError(fmt::format("{} gives the sections of a {}", file.string(), wheel ? "rail" : "wheel"),
                      fmt::format("the sections of a {} are asked for", wheel ? "wheel" : "rail"),
-                     fmt::format("Give a file that ends with {}.", wheel ? of_wheels : of_rails));
+                     fmt::format("Give a file that ends with {}.", wheel ? ".slcw" : ".slcs"));
   const SlicesFile given = read_slices(file);
   SlicedBody out{{}, given.approximated};
   for (const Slice& slice : given.slices) {

@@ -5,7 +5,7 @@
 #include "bem_contact/profile/sections/sectioned_surface.hpp"
 
 #include <filesystem>
-#include <string_view>
+#include <optional>
 #include <vector>
 
 namespace bem_contact {
@@ -18,8 +18,11 @@ struct Slice {
   int line = 0;                      ///< of the slices file
 };
 
-/// Says whether a profile's name is that of a slices file (.slcs, or .slcw of a wheel, in any case).
-bool names_slices(std::string_view name);
+/// Of which body a slices file is by its name (.slcs, or .slcw of a wheel, in any case); nothing: it is none.
+std::optional<ProfileKind> kind_of_slices(const std::filesystem::path& name);
+inline bool names_slices(const std::filesystem::path& name) {
+  return kind_of_slices(name).has_value();
+}
 
 /// What such a file says.
 struct SlicesFile {

@@ -90,9 +90,7 @@ std::string description_of(const SweepFile::Axis& axis) {
 
 /// An axis without its values.
 H5Dataset form_of(const SweepFile::Axis& axis) {
-  return {.shape = {},
-          .values = {},
-          .unit = axis.unit(),
+  return {.unit = axis.unit(),
           .description = description_of(axis),
           .role = std::string(name_of(axis.is_note() ? record::Role::carried : record::Role::swept)),
           .choices = has_texts(axis) ? choices_of(axis) : std::vector<std::string>()};

@@ -44,8 +44,15 @@ Wrench mirrored(Wrench w) {
 
 namespace {
 
-/// The sum over the elements: each half-plane through the roller's axis is turned to where it is.
-Wrench wrench_on_roller(const SceneResult& result, Point2 centre, const Roller& roller) {
+/// A force and where it acts, both in the track's frame.
+struct PlacedForce {
+  Vector3 force, at;
+};
+
+/// The sum over the elements in contact. `placed`: of an element at (x, row), the force that it has in its
+/// section (x, y, z).
+template <class Placed>
+Wrench sum_over_elements(const SceneResult& result, Point2 centre, const Placed& placed) {
   Wrench out;
   const ContactGrid& grid = result.problem.grid;
   const double area = result.problem.element_area();
@@ -53,15 +60,20 @@ Wrench wrench_on_roller(const SceneResult& result, Point2 centre, const Roller& 
     if (!(result.result.pn[i] > 0))
       continue;
     const ContactRow& row = result.problem.rows[i / grid.mx];
-    const double x = grid.x(i % grid.mx);
     const Point2 across =
         area * (result.result.ps[i] * tangent_of(row.delta) + result.result.pn[i] * normal_of(row.delta));
-    const Vector3 force =
-        Roller::seen(Vector3{area * result.result.px[i], across.y, across.z}, -roller.angle(x, row.position));
-    const Vector3 at = roller.in_space(x, row.position);
-    out += wrench_at(force, {at[0], at[1] - centre.y, at[2] - centre.z});
+    const PlacedForce one =
+        placed(grid.x(i % grid.mx), row.position, Vector3{area * result.result.px[i], across.y, across.z});
+    out += wrench_at(one.force, {one.at[0], one.at[1] - centre.y, one.at[2] - centre.z});
   }
   return out;
+}
+
+/// Each half-plane through the roller's axis is turned to where it is.
+Wrench wrench_on_roller(const SceneResult& result, Point2 centre, const Roller& roller) {
+  return sum_over_elements(result, centre, [&](double x, Point2 at, const Vector3& force) {
+    return PlacedForce{Roller::seen(force, -roller.angle(x, at)), roller.in_space(x, at)};
+  });
 }
 
 /// What the slope of a rail adds to the forces that elements have in its frame, at the middle of the
@@ -83,19 +95,9 @@ Wrench wrench_of_slope(const SceneResult& result, Point2 centre, const Vector3& 
 
 /// Elements have their forces in the rail's frame.
 Wrench wrench_on_sections(const SceneResult& result, Point2 centre, const RailFrame& frame) {
-  Wrench out;
-  const ContactGrid& grid = result.problem.grid;
-  const double area = result.problem.element_area();
-  for (int i = 0; i < grid.size(); ++i) {
-    if (!(result.result.pn[i] > 0))
-      continue;
-    const ContactRow& row = result.problem.rows[i / grid.mx];
-    const Point2 across =
-        area * (result.result.ps[i] * tangent_of(row.delta) + result.result.pn[i] * normal_of(row.delta));
-    const Vector3 at = frame.point_in_track({grid.x(i % grid.mx), row.position.y, row.position.z});
-    out += wrench_at(frame.in_track({area * result.result.px[i], across.y, across.z}),
-                     {at[0], at[1] - centre.y, at[2] - centre.z});
-  }
+  const Wrench out = sum_over_elements(result, centre, [&](double x, Point2 at, const Vector3& force) {
+    return PlacedForce{frame.in_track(force), frame.point_in_track({x, at.y, at.z})};
+  });
   return out + wrench_of_slope(result, centre, out.force);
 }
 
