@@ -40,6 +40,8 @@ public:
   Reply numbers(const std::string& question);
   /// And what lies on the grid: coordinates, tractions ...
   Reply fields(const std::string& question);
+  /// Whether the solution may read influence files: {"influence": true}.
+  Reply needs(const std::string& question);
   /// The scene as a file.
   Reply scene(const std::string& question);
   /// The file of bem_contact solve -o, of a wheelset that of bem_contact wheelset -o.
@@ -92,10 +94,11 @@ struct Asked {
   Reply (Answers::*reply)(const std::string& question);
 };
 inline constexpr std::array all_asked{
-    Asked{"answer", &Answers::answer},       Asked{"numbers", &Answers::numbers},
-    Asked{"fields", &Answers::fields},       Asked{"scene", &Answers::scene},
-    Asked{"result", &Answers::result},       Asked{"report", &Answers::report},
-    Asked{"bodies", &Answers::bodies},       Asked{"compute", &Answers::compute},
-    Asked{"computing", &Answers::computing}, Asked{"cancel", &Answers::cancel}};
+    Asked{"needs", &Answers::needs},     Asked{"answer", &Answers::answer},
+    Asked{"numbers", &Answers::numbers}, Asked{"fields", &Answers::fields},
+    Asked{"scene", &Answers::scene},     Asked{"result", &Answers::result},
+    Asked{"report", &Answers::report},   Asked{"bodies", &Answers::bodies},
+    Asked{"compute", &Answers::compute}, Asked{"computing", &Answers::computing},
+    Asked{"cancel", &Answers::cancel}};
 
 } // namespace bem_contact::explore

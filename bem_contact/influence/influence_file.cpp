@@ -9,6 +9,7 @@
 #include "bem_contact/influence/packed_file.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <ostream>
 #include <string_view>
 #include <system_error>

@@ -1,0 +1,170 @@
+#include "bem_contact/scene/sectioned_bodies.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/profile/sections/slices_file.hpp"
+#include "bem_contact/profile/sections/wheel_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace bem_contact {
+
+namespace {
+
+/// mm. A body with one section reaches so far along the track: farther than any wheel of a scene.
+constexpr double endless = 1e8;
+/// 1. What is steeper, 60 degrees, is a side of a body and no part of its top: a blade lies against it.
+/// Chosen.
+constexpr double steepest_top = 1.7;
+/// mm. Surfaces that lie closer are in one place: a wheel that touches one touches the other. Chosen.
+constexpr double same_height = 0.5;
+/// mm. Two bodies that have less in common touch or cross each other. Chosen.
+constexpr double most_common_width = 2;
+
+struct NamedBody {
+  std::string name;
+  SlicedBody body;
+};
+
+NamedBody& body_named(std::vector<NamedBody>& bodies, const std::string& name) {
+  const auto known = std::ranges::find(bodies, name, &NamedBody::name);
+  return known != bodies.end() ? *known : bodies.emplace_back(NamedBody{name, {}});
+}
+
+/// Those of a slices file, or one profile. Errors name the section.
+SlicedBody sections_at(const SceneFile& scene, ProfileKind kind, std::size_t i) {
+  const bool rail = kind == ProfileKind::rail;
+  const SceneFile::Side& side = rail ? scene.rail : scene.wheel;
+  const SceneFile::Section& section = side.sections[i];
+  try {
+    if (names_slices(section.profile)) {
+      SlicedBody out =
+          sections_of_slices(profile_file_name(section.profile, scene.folder).file, kind, side.reading);
+      for (BodySection& one : out.sections)
+        one.at += section.at;
+      return out;
+    }
+    BodySection one{.at = section.at,
+                    .profile = named_profile(section.profile, kind, scene.folder, side.reading),
+                    .kink = section.kink};
+    auto has = section.features.begin();
+    for (std::size_t k = 1; k <= section.features.size() + section.without.size(); ++k)
+      one.features.push_back(std::ranges::count(section.without, static_cast<double>(k)) > 0 ||
+                                     has == section.features.end()
+                                 ? std::numeric_limits<double>::quiet_NaN()
+                                 : *has++);
+    return {{std::move(one)}, false};
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("Section {} of the {}, at {:g} {}: {}", i + 1, name_of(kind), section.at,
+                                 rail ? "mm" : "rad", error.what()));
+  }
+}
+
+std::vector<NamedBody> named_bodies(const SceneFile& scene, ProfileKind kind) {
+  const SceneFile::Side& side = kind == ProfileKind::rail ? scene.rail : scene.wheel;
+  std::vector<NamedBody> out;
+  if (side.sections.empty() && names_slices(side.profile))
+    out.push_back(
+        {"", sections_of_slices(profile_file_name(side.profile, scene.folder).file, kind, side.reading)});
+  for (std::size_t i = 0; i < side.sections.size(); ++i) {
+    SlicedBody more = sections_at(scene, kind, i);
+    SlicedBody& body = body_named(out, side.sections[i].body).body;
+    std::ranges::move(more.sections, std::back_inserter(body.sections));
+    body.approximated = body.approximated || more.approximated;
+  }
+  if (out.size() > 1)
+    for (NamedBody& one : out)
+      if (std::vector<BodySection>& sections = one.body.sections; sections.size() == 1) {
+        sections.push_back(sections.front());
+        sections.front().at = -endless;
+        sections.back().at = endless;
+      }
+  return out;
+}
+
+SectionedSurface surface_of(SlicedBody body, ProfileKind kind) {
+  return kind == ProfileKind::wheel
+             ? wheel_surface(std::move(body.sections), body.approximated)
+             : SectionedSurface(std::move(body.sections), {.approximated = body.approximated});
+}
+
+/// What of a body looks up, across the track: z over y, mm.
+std::map<double, double> top_of(const SectionedSurface& surface, double u) {
+  std::map<double, double> out;
+  for (const double t : surface.nodes())
+    if (surface.has(u, t))
+      if (const SectionedSurface::Point p = surface.at(u, t);
+          std::abs(p.by_t.z) < steepest_top * std::abs(p.by_t.y))
+        out[p.position.y] = p.position.z;
+  return out;
+}
+
+/// NaN beside it.
+double height_at(const std::map<double, double>& top, double y) {
+  const auto after = top.lower_bound(y);
+  if (after == top.begin() || after == top.end())
+    return std::numeric_limits<double>::quiet_NaN();
+  const auto before = std::prev(after);
+  return std::lerp(before->second, after->second, (y - before->first) / (after->first - before->first));
+}
+
+/// mm. How wide the top of one lies in the other's.
+double common_width(const std::map<double, double>& one, const std::map<double, double>& other) {
+  double out = 0;
+  for (auto point = one.begin(); !one.empty() && std::next(point) != one.end(); ++point) {
+    const auto next = std::next(point);
+    const double y = (point->first + next->first) / 2, z = (point->second + next->second) / 2;
+    if (std::abs(height_at(other, y) - z) < same_height)
+      out += next->first - point->first;
+  }
+  return out;
+}
+
+/// Refuses two that are in one place: a wheel would be borne twice there.
+void require_beside_each_other(const SectionedBodies& bodies, std::size_t a, std::size_t b) {
+  const SectionedSurface &one = *bodies.surfaces[a], &other = *bodies.surfaces[b];
+  std::vector<double> places = one.places();
+  places.insert(places.end(), other.places().begin(), other.places().end());
+  for (const double u : places) {
+    if (u < std::max(one.from(), other.from()) || u > std::min(one.to(), other.to()))
+      continue;
+    const double width = common_width(top_of(one, u), top_of(other, u));
+    if (width > most_common_width)
+      throw InputError(
+          fmt::format("Bodies '{}' and '{}' of the rail lie one upon the other", bodies.names[a],
+                      bodies.names[b]),
+          fmt::format("at {:g} mm along the track {:.1f} mm of their width are in one place, and "
+                      "a wheel would be borne twice there",
+                      u, width),
+          "Give sections that stand beside each other, cut where the other body covers them.");
+  }
+}
+
+} // namespace
+
+SectionedBodies sectioned_bodies(const SceneFile& scene, ProfileKind kind) {
+  SectionedBodies out;
+  for (NamedBody& one : named_bodies(scene, kind)) {
+    if (!out.first)
+      out.first = one.body.sections.front().profile;
+    out.names.push_back(one.name);
+    try {
+      out.surfaces.push_back(std::make_shared<const SectionedSurface>(surface_of(std::move(one.body), kind)));
+    } catch (const InputError& error) {
+      if (one.name.empty())
+        throw;
+      throw InputError(fmt::format("Body '{}' of the rail: {}", one.name, error.what()));
+    }
+    for (std::size_t before = 0; before + 1 < out.surfaces.size(); ++before)
+      require_beside_each_other(out, before, out.surfaces.size() - 1);
+  }
+  return out;
+}
+
+} // namespace bem_contact
