@@ -6,7 +6,6 @@ import {asked} from "./answer.js";
 import {ask, scene, sceneNow} from "./case.js";
 
 const LOOK_AGAIN = 300; // ms between two looks at how far they are
-const OURS = /^((?:rail|wheel)_[0-9a-f]{8})\.h5$/; // influence files that were computed here
 
 const bodyTexts = {}; // by name: body files that were asked for on this page
 
@@ -20,9 +19,9 @@ const jsonOf = async (what, scene, lane) => {
 const commandsOfBodies = names => names.flatMap(
     name => [`mesh_body ${name}.toml -o ${name}.msh`, `fem_influence ${name}.toml ${name}.msh -o ${name}.h5`]);
 
-/// Bodies whose influence files the scene on the screen names.
-const namedBodies =
-    () => ["rail", "wheel"].map(side => OURS.exec(sceneValue(`${side}.influence`))?.[1]).filter(Boolean);
+/// Those of them whose influence files the scene on the screen names.
+const namedBodies = () => ["rail", "wheel"].flatMap(side =>
+  Object.keys(bodyTexts).filter(name => sceneValue(`${side}.influence`) === `${name}.h5`));
 export const bodyCommands = () => commandsOfBodies(namedBodies());
 
 /// The panel: a button that computes, one that saves the body files, and the commands that do the same.

@@ -152,8 +152,9 @@ const addMeasured = (measured, id = "measured") => {
       {numbers: [0, 1, 2, 3, 4, 5], id});
 };
 
-/// "pressures", "pressures_2" ... of a fit.
-const tablesNamed = (data, name) => Object.keys(data).filter(key => new RegExp(`^${name}(_\\d+)?$`).test(key));
+/// What was measured beside what is computed; a fit has several. `over`: "creepage" for forces, "over" for pressures.
+const measuredOver = over =>
+  Object.keys(data).filter(key => data[key].points?.measured && data[key].attributes?.[over]);
 
 /// A line of pressures as measured and as computed.
 const addPressures = (line, id) => {
@@ -174,7 +175,7 @@ const CREEP_CAPTION = "; the other two creepages stay as in the scene. With litt
 const creepFigures = () => ["xi", "eta", "phi"].filter(which => data.curves?.[which]).map(which =>
   [`curve-${which}`, `Forces over the ${words(which)}${CREEP_CAPTION}`, creepFigure(data, which)]);
 
-const pressureFigures = () => tablesNamed(data, "pressures").map(key =>
+const pressureFigures = () => measuredOver("over").map(key =>
   [`${key}-figure`, `Pressures over ${data[key].attributes.over}, as measured and as computed.`,
    measuredPressuresFigure(data[key])]);
 const curveFigures = () => [...creepFigures(), ...pressureFigures()];
@@ -184,8 +185,8 @@ export const CREEP_CURVES = {
   warnings: () => [["", {group: data}]],
   figures: () => curveFigures().slice(1).forEach(one => addFigure(...one)),
   tables: () => {
-    tablesNamed(data, "measured").forEach(key => addMeasured(data[key], key));
-    tablesNamed(data, "pressures").forEach(key => addPressures(data[key], key));
+    measuredOver("creepage").forEach(key => addMeasured(data[key], key));
+    measuredOver("over").forEach(key => addPressures(data[key], key));
     const matrix = (name, caption) =>
         data[name] &&
         addTable(
