@@ -299,7 +299,7 @@ Found of_wear(const Record& r) {
                fmt::format("This was computed in {}.", counted(std::ptrdiff_t(last), "step", "steps"))},
               {}};
   if (const auto most = largest_of(r, "stretch/depth")) { // along the track
-    found.sentences[0] += " The rail is deepest at " + text_of(*stated_at(r, "stretch/at", *most)) + ".";
+    found.sentences[0] += " Along the rail that is at " + text_of(*stated_at(r, "stretch/at", *most)) + ".";
     found.next = {{"What does the next wheel do there?", "bem_contact sweep scene_NNNN.toml -o S.h5"}};
     return found;
   }

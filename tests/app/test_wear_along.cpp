@@ -36,7 +36,7 @@ TEST_F(WearAlongTheTrack, ACrossingWearsWhereTheWheelComesDown) {
   const std::string wear = "wear " + crossing + " -o " + path("worn") + " --smoothing 1 --depth ";
   const Outcome worn = run(wear + "0.02");
   ASSERT_EQ(worn.code, 0) << worn.err;
-  EXPECT_THAT(worn.out, HasSubstr("The rail is deepest at "));
+  EXPECT_THAT(worn.out, HasSubstr("Along the rail that is at "));
   const auto stretch = [&](const char* file, const char* column) {
     return read_h5(path(file)).datasets.at(std::string("stretch/") + column).values;
   };
