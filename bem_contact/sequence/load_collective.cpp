@@ -20,4 +20,8 @@ SceneResult solve_of_collective(Sequence& sequence, const SweepFile& sweep, std:
   return result;
 }
 
+double place_of_case(const SweepFile& sweep, std::size_t index) {
+  return sweep.scene(index).position.uneven.along;
+}
+
 } // namespace bem_contact

@@ -34,6 +34,9 @@ constexpr double repairable_loop = 1.0;
 constexpr double narrowest_profile = 10.0;
 /// mm. A profile that is wider is none, either.
 constexpr double widest_profile = 300.0;
+/// mm. The same where the unit is said: somebody drew a wide circle, as in CONTACT's tests. In cm heads of
+/// rails would be wider. Chosen.
+constexpr double widest_in_said_unit = 500.0;
 /// The file's unit. A profile this wide is in metres: no profile in mm is as narrow.
 constexpr double narrowest_in_metres = 0.02;
 /// The file's unit. A wider profile is not in metres.
@@ -104,8 +107,8 @@ void mend_units(std::vector<Point2>& points, const std::string& source, ProfileU
       p = factor * p;
   width *= factor;
   const UnitGuess guess = unit == ProfileUnit::found ? guess_unit(width) : UnitGuess{};
-  if (!(width >= narrowest_profile && width <= widest_profile) ||
-      (width < narrowest_unasked && !guess.keys.empty()))
+  const double widest = unit == ProfileUnit::found ? widest_profile : widest_in_said_unit;
+  if (!(width >= narrowest_profile && width <= widest) || (width < narrowest_unasked && !guess.keys.empty()))
     throw InputError(fmt::format("{}: the profile is {:.4g} mm wide", source, width),
                      guess.keys.empty()
                          ? "no rail or wheel is; the unit is neither mm nor m, or the columns are not y and z"
