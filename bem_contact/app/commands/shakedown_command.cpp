@@ -8,6 +8,7 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/scene/derivative_inputs.hpp"
 #include "bem_contact/scene/sweep_check.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/sequence/sequence.hpp"
@@ -142,6 +143,7 @@ void of_scene(const ShakedownArguments& arguments) {
   if (given.scene.wheelset.force)
     throw InputError("There is no shakedown of a wheelset", "each of its wheels has its own",
                      "Solve it with bem_contact wheelset, and give one wheel's scene.");
+  refuse_derivatives(given.scene, "shakedown");
   const SceneResult result = Sequence().solve(given.scene);
   warn(result.warnings);
   if (!certified(result))

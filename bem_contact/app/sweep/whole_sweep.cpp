@@ -76,6 +76,7 @@ void require_sweep_outputs(const SweepFile& sweep, const SweepRequest& request,
 }
 
 AskedSweep asked_sweep(const SweepRequest& request, SweepFile sweep) {
+  columns_of(sweep); // refuses derivatives that are no columns
   AskedSweep asked{request.scene, std::move(sweep), request.model, request.strict};
   asked.origins = origins_of(asked.sweep, request.options());
   asked.digest = digest_of(asked.origins);

@@ -5,6 +5,7 @@
 #include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/scene/derivative_inputs.hpp"
 #include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
@@ -170,6 +171,7 @@ void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& 
       throw InputError(fmt::format("A case of the load collective has the weight {}", one.weight),
                        "weights must be positive", as_given);
     const SceneFile &scene = one.scene, &first = cases.front().scene;
+    refuse_derivatives(scene, "a profile that wears");
     if (scene.kind != SceneKind::wheel_rail)
       throw InputError("This scene cannot wear", "it has no profiles", "Give kind = \"wheel_rail\".");
     if (scene.wheelset.force)
