@@ -72,6 +72,7 @@ ExitCode run(const CLI::App& cli, const std::vector<Command>& added, bool print_
 int parse_and_run(int argc, char** argv) {
   CLI::App cli{"Conformal wheel-rail contact by the boundary element method"};
   bool print_default = false;
+  cli.allow_windows_style_options(false); // on every system /folder/scene.toml is a path
   cli.require_subcommand(0, 1);
   cli.set_version_flag("--version", provenance("bem_contact"));
   cli.add_flag("--print-default", print_default,

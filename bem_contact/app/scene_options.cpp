@@ -21,7 +21,7 @@ namespace {
 
 /// Tables with the name of a command that are not its options: lists of values, keys of a scene, and what
 /// `study` has computed.
-constexpr std::string_view read_elsewhere[] = {"sweep", "wheelset", "influence"};
+constexpr std::string_view read_elsewhere[] = {"sweep", "passage", "wheelset", "influence"};
 
 /// The scene file of a parsed command; "" where it has none, or something else in its place.
 std::string scene_of(const CLI::App& line) {

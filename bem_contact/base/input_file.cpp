@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <fmt/format.h>
 #include <fstream>
 #include <sstream>
@@ -26,6 +27,13 @@ bool file_exists(const std::filesystem::path& file) {
 bool is_regular(const std::filesystem::path& file) {
   std::error_code ignored;
   return std::filesystem::is_regular_file(file, ignored);
+}
+
+std::string lower_ending(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
 }
 
 void require_readable(const std::string& file, std::string_view what) {

@@ -15,6 +15,8 @@ namespace bem_contact {
 /// for a name that is too long or a link that leads back to itself.
 bool file_exists(const std::filesystem::path& file);
 bool is_regular(const std::filesystem::path& file);
+/// ".csv" of "Runs/A.CSV"; "" of a name without an ending.
+std::string lower_ending(const std::filesystem::path& file);
 
 /// Throws InputError for what cannot be read to an end: nothing of that name, a folder, a device, a socket.
 /// Pipes may be read. `what` names the file in the message.

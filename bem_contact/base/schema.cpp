@@ -250,6 +250,13 @@ std::string Schema::print() const {
     out += fmt::format("# {} ({})\n{}{} = {}\n", key.doc, fmt::join(facts, "; "), off ? "# " : "",
                        last_part(key.path), value_text(key.target));
   }
+  for (const Key& key : keys_)
+    if (const auto* list = std::get_if<TableList>(&key.target); list && list->rows)
+      for (const Schema& row : list->rows()) {
+        out += fmt::format("\n[[{}]]\n", key.path);
+        for (const Key& column : row.keys_)
+          out += fmt::format("{} = {}\n", last_part(column.path), value_text(column.target));
+      }
   return out;
 }
 

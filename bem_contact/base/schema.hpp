@@ -40,6 +40,8 @@ struct TableList {
   std::function<void()> clear;
   std::function<Schema()> next;
   std::string example; ///< a list as TOML, for messages and print()
+  /// The schemas of the elements that are there, for print(); none: it shows the example alone.
+  std::function<std::vector<Schema>()> rows = {};
 };
 
 /// A key with a fixed set of names, bound to an enum or a list of them: `text` is as the file writes it,
@@ -175,7 +177,8 @@ public:
   std::vector<KeyDescription> describe() const;
 
   /// Every key with its bound value, documented, as valid TOML. Commented out are keys of other kinds,
-  /// optionals without a value, lists of tables (an example of them) and what its rule says.
+  /// optionals without a value, lists of tables (an example of them) and what its rule says. The elements of
+  /// lists of tables stand at the end.
   std::string print() const;
 
 private:

@@ -196,7 +196,11 @@ private:
                         fmt::join(choice.names, ", "), choice.several ? ", with commas between" : ""),
             like.empty() ? "Use one of these." : fmt::format("Did you mean \"{}\"?", like.front()));
       }
-      chosen.push_back(found - choice.names.begin());
+      const std::size_t index = found - choice.names.begin();
+      if (std::ranges::count(chosen, index) > 0)
+        throw InputError(fmt::format("{}{} = {}", schema.where(key.path), key.path, toml_text(text)),
+                         fmt::format("'{}' is named twice", name), "Name it once.");
+      chosen.push_back(index);
     }
     choice.set(chosen);
   }

@@ -23,7 +23,8 @@ explore::Start start() {
   for (const char* folder : {"data/scenes", "data/influence"}) // the worker writes influence files there
     std::filesystem::create_directories(folder);
   return {.scene = {browser_conformal_small_toml, "data/scenes/conformal_small.toml", "data/scenes"},
-          .changes = {{"solver.model", "halfspace"}}};
+          .changes = {{"solver.model", "halfspace"}},
+          .file = "data/scenes/conformal_small.toml"};
 }
 
 explore::Reply reply_to(std::string_view what, const std::string& question) {

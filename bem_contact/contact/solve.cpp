@@ -373,12 +373,12 @@ ContactResult solve(const ContactProblem& problem, const SolverOptions& options,
   ContactResult result;
   std::optional<contact::RoughLook> look;
   if (options.early_end)
-    look.emplace(options.early_end->change, [&](const contact::Solution& rough) {
-      result = result_of(problem, rough);
-      result.trust.ended_early = true;
-      estimate.add_to(result);
-      return options.early_end->ends(problem, result);
-    });
+    look = contact::RoughLook{options.early_end->change, [&](const contact::Solution& rough) {
+                                result = result_of(problem, rough);
+                                result.trust.ended_early = true;
+                                estimate.add_to(result);
+                                return options.early_end->ends(problem, result);
+                              }};
   const contact::Solution solution =
       contact::solve_coupled(problem, options, operators, work, look ? &*look : nullptr);
   if (!solution.ended_early) {

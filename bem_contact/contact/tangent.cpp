@@ -28,6 +28,14 @@ using contact::vector_of;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
+/// The change of influence numbers per unit of an input, on a problem of its own.
+ContactProblem change_of_numbers(const TangentInput& input) {
+  ContactProblem out = input.upper;
+  for (std::size_t k = 0; k < out.numbers.values.size(); ++k)
+    out.numbers.values[k] = (out.numbers.values[k] - input.lower.numbers.values[k]) / (2 * input.step);
+  return out;
+}
+
 /// Displacements of the tractions of a solution, by other influence numbers than it was solved with.
 struct HeldDisplacements {
   VectorXd normal, step; ///< (A p)_n and B p, mm; fields
@@ -104,11 +112,10 @@ private:
 };
 
 void Tangents::add_numbers(TangentInput& input, TangentLoad& load) {
-  const HeldDisplacements lower(input.lower, solved_, options_, work_),
-      upper(input.upper, solved_, options_, work_);
-  load.distance += (upper.normal - lower.normal) / (2 * input.step);
-  if (upper.step.size() > 0)
-    load.drive -= (upper.step - lower.step) / (2 * input.step);
+  const HeldDisplacements change(change_of_numbers(input), solved_, options_, work_);
+  load.distance += change.normal;
+  if (change.step.size() > 0)
+    load.drive -= change.step;
 }
 
 TangentLoad Tangents::load_of(TangentInput& input) {

@@ -12,7 +12,9 @@
 #include "bem_contact/record/json.hpp"
 #include "bem_contact/record/outcome.hpp"
 #include "bem_contact/report/report_page.hpp"
+#include "bem_contact/report/scene_values.hpp"
 #include "bem_contact/scene/absolute_names.hpp"
+#include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/result_file.hpp"
 #include "bem_contact/sequence/result_record.hpp"
 #include "bem_contact/uses/wheelset/quantities.hpp"
@@ -122,9 +124,19 @@ Reply Answers::answer(const std::string& question) {
             : kept(solve(asked, sequence_, stop), [](const SceneResult& r) { return record_of(r); });
     const std::string scene = scenes_.in_plain_names(scene_with_defaults(to_solve));
     Record data{{"scene_with_defaults", record::Text{scene, "the scene with every key"}},
+                {"scene_values", report::scene_values(scene)},
                 {"remarks", remarks_on(to_solve)}};
     data.append(found.record);
     return Reply{json_type, record::to_described_json({{"data", std::move(data)}}, not_drawn)};
+  });
+}
+
+Reply Answers::needs(const std::string& question) {
+  return replied(question, [&](const Question& asked) {
+    const SceneFile scene = scenes_.scene(asked);
+    const bool named = std::ranges::any_of(named_files(scene), names_influence, &NamedFile::key),
+               taken = !scene.solver.model || has_files(*scene.solver.model);
+    return Reply{json_type, nlohmann::json{{"influence", named && taken}}.dump()};
   });
 }
 

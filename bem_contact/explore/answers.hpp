@@ -35,6 +35,8 @@ public:
   /// The result of the scene, as JSON for the page (record/json.hpp); of a wheelset "wheels" has both, and
   /// "wheelset" its own numbers.
   Reply answer(const std::string& question);
+  /// Whether the solution may read influence files: {"influence": true}.
+  Reply needs(const std::string& question);
   /// The scene as a file.
   Reply scene(const std::string& question);
   /// The file of bem_contact solve -o, of a wheelset that of bem_contact wheelset -o.
@@ -82,9 +84,10 @@ struct Asked {
   Reply (Answers::*reply)(const std::string& question);
 };
 inline constexpr std::array all_asked{
-    Asked{"answer", &Answers::answer},       Asked{"scene", &Answers::scene},
-    Asked{"result", &Answers::result},       Asked{"report", &Answers::report},
-    Asked{"bodies", &Answers::bodies},       Asked{"compute", &Answers::compute},
-    Asked{"computing", &Answers::computing}, Asked{"cancel", &Answers::cancel}};
+    Asked{"needs", &Answers::needs},     Asked{"answer", &Answers::answer},
+    Asked{"scene", &Answers::scene},     Asked{"result", &Answers::result},
+    Asked{"report", &Answers::report},   Asked{"bodies", &Answers::bodies},
+    Asked{"compute", &Answers::compute}, Asked{"computing", &Answers::computing},
+    Asked{"cancel", &Answers::cancel}};
 
 } // namespace bem_contact::explore

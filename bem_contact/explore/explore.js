@@ -133,7 +133,7 @@ const shown = async (reply, took, asked) => {
 };
 
 const showControls = () => {
-  const kind = sceneValue("kind") || /^kind = "(\w+)"/m.exec(data.scene_with_defaults.text)?.[1] || "wheel_rail";
+  const kind = sceneValue("kind");
   for (const control of controls)
     showControl(control, kind);
   for (const {key, list} of choices)

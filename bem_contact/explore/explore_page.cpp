@@ -39,6 +39,7 @@ std::string explore_page(const Start& start) {
   for (const SceneChange& change : start.changes)
     std::visit([&](const auto& value) { changes[change.key] = value; }, change.value);
   const json data{{"name", start.scene.source},
+                  {"file", start.file},
                   {"scene", {{"text", start.scene.toml}, {"changes", changes}, {"files", start.files}}},
                   {"rails", standards_of(ProfileKind::rail)},
                   {"wheels", standards_of(ProfileKind::wheel)},

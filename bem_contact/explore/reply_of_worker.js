@@ -15,11 +15,8 @@ const solver = (async () => {
   return worker;
 })();
 
-/// The influence files lie beside the page in a script, which is loaded when a model that may need them is first asked
-/// for. Without it the solver says what is missing.
-const WITHOUT_FILES = ["hertz", "simplified", "halfspace", "tangent_plane"];
-const needsFiles = ({text, changes}) => /influence/.test(text) &&
-  !WITHOUT_FILES.includes(changes?.["solver.model"] ?? /^\s*(?:solver\.)?model\s*=\s*"(\w+)"/m.exec(text)?.[1]);
+/// The influence files lie beside the page in a script, which is loaded when the solver says that a scene may need
+/// them. Without it the solver says what is missing.
 let files;
 const loadFiles = () => files ??=
     new Promise(done => add("script", "", document.head, {src: "influence.js", onload: done, onerror: done}))
@@ -38,22 +35,26 @@ const askNext = async () => {
   worker.postMessage({what, question: JSON.stringify(question)});
 };
 
+const askWorker = (what, question) => new Promise((done, failed) => {
+  const before = queue.findIndex(one => one.question.window === question.window);
+  if (before >= 0)
+    queue.splice(before, 1)[0].done(
+        Response.json({problem: {kind: "replaced", message: "A newer question has replaced this one."}}));
+  queue.push({what, question, done, failed});
+  askNext();
+});
+
 /// What is answered to a question, as a Response; throws where nobody answers. `what`: a name of all_asked
 /// (answers.hpp).
 const replyTo = async (what, question) => {
-  if (needsFiles(question))
+  const needs = files ? {} : await (await askWorker("needs", question)).json();
+  if (needs.problem)
+    return Response.json(needs);
+  if (needs.influence)
     await loadFiles();
-  const response = await new Promise((done, failed) => {
-    const before = queue.findIndex(one => one.question.window === question.window);
-    if (before >= 0)
-      queue.splice(before, 1)[0].done(
-          Response.json({problem: {kind: "replaced", message: "A newer question has replaced this one."}}));
-    queue.push({what, question, done, failed});
-    askNext();
-  });
+  const response = await askWorker(what, question);
   if (what !== "report" || !response.headers.get("Content-Type").startsWith("text/html"))
     return response;
   return new Response(
       (await response.text()).replace("@LIBRARY_OF_THE_PAGE@", element("library").textContent), response);
 };
-

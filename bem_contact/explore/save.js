@@ -11,9 +11,7 @@ const numbersCsv = () => {
   const {quantities: q} = contactsOf(data)[0].group;
   return csvOf([
     ["name", "value", "error", "unit", "meaning"],
-    ...Object.keys(q)
-        .filter(name => !name.endsWith("_error"))
-        .map(name => [name, valueOf(q, name), valueOf(q, `${name}_error`), q[name].unit, q[name].description])
+    ...Object.keys(q).map(name => [name, valueOf(q, name), errorOf(q, name), q[name].unit, q[name].description])
   ]);
 };
 
@@ -40,9 +38,8 @@ const saveSweep = async () => {
 };
 
 const showCommands = () => {
-  const changed =
-      Object.keys(scene.changes).length > 0 || scene.text !== start.scene.text || start.name === "the first scene";
-  const file = changed ? "explored.toml" : start.name.replace(/^the scene of '(.*)'$/, "$1");
+  const changed = Object.keys(scene.changes).length > 0 || scene.text !== start.scene.text;
+  const file = (!changed && start.file) || "explored.toml";
   const lines = [
     ...bodyCommands(), `bem_contact ${data.wheels ? "wheelset" : "solve"} ${file} -o explored.h5`,
     "bem_contact report explored.h5 -o explored.html"

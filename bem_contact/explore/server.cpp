@@ -72,15 +72,20 @@ struct Connection {
   system::Socket socket;
   Clock::time_point until; ///< when the request that is being read must be here
   bool knows_token = false;
+  std::array<char, read_at_once> received = {}; ///< by the system, and not read yet: those from `next` on
+  std::size_t next = 0, end = 0;
 };
 
 /// What is read and written on a connection, each within its whole time: the library limits the time between
-/// two bytes alone, so that a byte now and then would hold a thread for ever.
+/// two bytes alone, so that a byte now and then would hold a thread for ever. It reads the head of a request
+/// byte by byte: asking the system for each would take seconds by wine on a busy machine.
 class TimedStream : public httplib::Stream {
 public:
   explicit TimedStream(Connection& connection) : connection_(connection) {}
 
   bool is_readable() const override {
+    if (connection_.next < connection_.end)
+      return true;
     const int left = milliseconds_to(connection_.until);
     return left > 0 && system::wait_to_receive(connection_.socket, left);
   }
@@ -89,7 +94,18 @@ public:
     return left > 0 && system::wait_to_send(connection_.socket, left);
   }
   ssize_t read(char* to, std::size_t size) override {
-    return is_readable() ? system::receive(connection_.socket, to, size) : -1;
+    Connection& c = connection_;
+    if (c.next == c.end) {
+      const auto got = is_readable() ? system::receive(c.socket, c.received.data(), c.received.size()) : -1;
+      if (got <= 0)
+        return got;
+      c.next = 0;
+      c.end = static_cast<std::size_t>(got);
+    }
+    const std::size_t count = std::min(size, c.end - c.next);
+    std::copy_n(c.received.data() + c.next, count, to);
+    c.next += count;
+    return static_cast<ssize_t>(count);
   }
   ssize_t write(const char* from, std::size_t size) override {
     return is_writable() ? system::send(connection_.socket, from, size) : -1;

@@ -9,6 +9,9 @@ namespace bem_contact::explore {
 /// 0.3 MB. Chosen.
 inline constexpr std::size_t largest_request = std::size_t(16) << 20;
 
+/// Bytes that are taken from a connection at once. Chosen: a request without profiles is not longer.
+inline constexpr std::size_t read_at_once = std::size_t(16) << 10;
+
 /// Connections that are served at a time, a thread each, and those that wait for their turn. A browser holds
 /// six open, and each stays for keep_open. When all are taken, a new one takes the place of the oldest that
 /// has not shown the token, so that whoever does not know it keeps nobody out. Chosen for ten windows.

@@ -17,6 +17,7 @@ struct Start {
   SceneText scene;                       ///< may be wrong: the page says so
   std::vector<SceneChange> changes = {}; ///< of the scene
   HeldFiles files = {};
+  std::string file = {}; ///< that it comes from; "": none
 };
 
 } // namespace bem_contact::explore

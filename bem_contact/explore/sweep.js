@@ -14,7 +14,7 @@ const sweepData = () => {
         shownOf = one => oneOf(one.reply.data);
   if (!good)
     return undefined;
-  const results = sweep.cases.map(shownOf), of = (name, result) => result?.quantities[name]?.values[0] ?? null;
+  const results = sweep.cases.map(shownOf), each = of => results.map(result => (result && of(result)) ?? null);
   const out = {
     [sweep.key]: {
       values: sweep.cases.map(one => toField(control, one.value)),
@@ -26,8 +26,9 @@ const sweepData = () => {
   };
   for (const name of ranked(shownOf(good).quantities, "result", "main")) {
     const {unit, description} = shownOf(good).quantities[name];
-    out[name] = {values: results.map(result => of(name, result)), unit, description};
-    out[`${name}_error`] = {values: results.map(result => of(`${name}_error`, result)), unit};
+    const values = each(({quantities}) => valueOf(quantities, name)),
+          errors = each(({quantities}) => errorOf(quantities, name));
+    out[name] = {values, errors, unit, description};
   }
   results.forEach((result, i) => {
     const count = result?.patches?.Fn?.values.length ?? 0;
@@ -65,10 +66,10 @@ const showCase = i => {
 };
 
 const sweepCsv = () => {
-  const table = sweepData(), names = Object.keys(table).filter(name => !["status", "patches"].includes(name));
+  const {status, patches, ...table} = sweepData(), columns = Object.entries(table).flatMap(withErrors);
   return csvOf([
-    [...names.map(name => withUnit(name, table[name])), "status", "reason"],
-    ...sweep.cases.map(({reply}, i) => [...names.map(name => table[name].values[i]), outcomeOf(reply), reasonOf(reply)])
+    [...columns.map(([name, column]) => withUnit(name, column)), "status", "reason"],
+    ...sweep.cases.map(({reply}, i) => [...columns.map(([, {values}]) => values[i]), outcomeOf(reply), reasonOf(reply)])
   ]);
 };
 

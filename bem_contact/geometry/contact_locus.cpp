@@ -61,11 +61,12 @@ void ContactLocus::lower(double by) {
   }
 }
 
-std::optional<ContactLocus::Meridian> ContactLocus::meridian(Point2 position, Point2 tangent) const {
+std::optional<ContactLocus::Meridian> ContactLocus::meridian(double s, Point2 position,
+                                                             Point2 tangent) const {
   std::optional<Meridian> m = even_meridian(position, tangent);
   if (!nearest_ || !m || !(tangent.y < 0)) // a surface that looks up meets no rail
     return m;
-  m->uneven = nearest_->at(position, surface(position, tangent, *m).normal);
+  m->uneven = nearest_->at(s, position, surface(s, position, tangent, *m).normal);
   m->sine = std::sin(m->uneven->theta);
   m->cosine = std::cos(m->uneven->theta);
   return m;
@@ -90,8 +91,10 @@ std::optional<ContactLocus::Meridian> ContactLocus::even_meridian(Point2 positio
   return Meridian{(a * c - b * root) / size, (b * c + a * root) / size};
 }
 
-Vector3 ContactLocus::on_circle(Point2 position, const Meridian& m) const {
-  const double r = radius_ + position.z - (m.uneven ? nearest_->surfaces().wheel(m.uneven->theta) : 0.0);
+Vector3 ContactLocus::on_circle(double s, Point2 position, const Meridian& m) const {
+  if (m.uneven)
+    position = position + nearest_->surfaces().wheel(m.uneven->theta, s);
+  const double r = radius_ + position.z;
   const auto along = [&](int i) {
     return frame_.centre[i] + position.y * frame_.axle[i] +
            r * (m.cosine * frame_.down[i] + m.sine * frame_.forward[i]);
@@ -101,10 +104,10 @@ Vector3 ContactLocus::on_circle(Point2 position, const Meridian& m) const {
 }
 
 std::optional<ContactLocus::Point> ContactLocus::point(double s, Point2 position, Point2 tangent) const {
-  const auto m = meridian(position, tangent);
+  const auto m = meridian(s, position, tangent);
   if (!m || radius_ + position.z <= 0)
     return std::nullopt;
-  Vector3 p = on_circle(position, *m);
+  Vector3 p = on_circle(s, position, *m);
   if (roller_)
     p = roller_->unrolled(p);
   if (m->uneven)
@@ -112,7 +115,8 @@ std::optional<ContactLocus::Point> ContactLocus::point(double s, Point2 position
   return Point{s, p[0], {p[1], p[2]}};
 }
 
-ContactLocus::Surface ContactLocus::surface(Point2 position, Point2 tangent, const Meridian& m) const {
+ContactLocus::Surface ContactLocus::surface(double s, Point2 position, Point2 tangent,
+                                            const Meridian& m) const {
   const auto both = [&](double along_axle, double away) {
     const auto of = [&](int i) {
       return along_axle * frame_.axle[i] + away * (m.cosine * frame_.down[i] + m.sine * frame_.forward[i]);
@@ -122,7 +126,7 @@ ContactLocus::Surface ContactLocus::surface(Point2 position, Point2 tangent, con
   const Vector3 profile = both(tangent.y, tangent.z), normal = both(tangent.z, -tangent.y);
   if (!roller_)
     return {profile[0], normal, 0};
-  const Vector3 p = roller_->unrolled(on_circle(position, m));
+  const Vector3 p = roller_->unrolled(on_circle(s, position, m));
   const double phi = roller_->angle(p[0], {p[1], p[2]});
   const Vector3 seen = Roller::seen(normal, phi);
   return {Roller::seen(profile, phi)[0], seen, seen[2] / roller_->radius({p[1], p[2]})}; // Meusnier
@@ -147,7 +151,8 @@ double ContactLocus::curvature_along_x(int k, double t) const {
   if (a.s == b.s)
     return 0;
   const TabulatedProfile::Point q = wheel_.between(a.interval, t);
-  const auto m = meridian(q.position, q.tangent);
+  const double s = a.s + t * (b.s - a.s);
+  const auto m = meridian(s, q.position, q.tangent);
   if (!m)
     return 0;
   if (m->uneven)
@@ -156,7 +161,7 @@ double ContactLocus::curvature_along_x(int k, double t) const {
   const auto table = wheel_.nodes();
   const double profile = angle_from_to(table[a.interval].after, table[a.interval + 1].before) / (b.s - a.s);
   const double around = -q.tangent.y / (radius_ + q.position.z);
-  const Surface there = surface(q.position, q.tangent, *m);
+  const Surface there = surface(s, q.position, q.tangent, *m);
   const double share = there.along_profile;
   return profile * share * share + around * (1 - share * share) + there.rail;
 }
@@ -165,10 +170,10 @@ std::optional<CurvePoint> ContactLocus::at(double s) const {
   CurvePoint p = wheel_.at(s);
   const Point2 tangent = tangent_of(p.delta);
   const auto seen = point(s, p.position, tangent);
-  const auto m = meridian(p.position, tangent);
+  const auto m = meridian(s, p.position, tangent);
   if (!seen || !m)
     return std::nullopt;
-  const Vector3 normal = surface(p.position, tangent, *m).normal;
+  const Vector3 normal = surface(s, p.position, tangent, *m).normal;
   // On the branch of the profile's own inclination.
   const double near = p.delta + std::asin(frame_.axle[2]), delta = std::atan2(normal[1], -normal[2]);
   p.position = seen->position;

@@ -62,16 +62,16 @@ private:
     double sine = 0, cosine = 1; ///< of theta
     std::optional<NearestAlong::Place> uneven = {};
   };
-  std::optional<Meridian> meridian(Point2 position, Point2 tangent) const;
+  std::optional<Meridian> meridian(double s, Point2 position, Point2 tangent) const;
   std::optional<Meridian> even_meridian(Point2 position, Point2 tangent) const;
-  Vector3 on_circle(Point2 position, const Meridian& m) const; ///< that point, in space
+  Vector3 on_circle(double s, Point2 position, const Meridian& m) const; ///< that point, in space
   /// Of the wheel's normal there, as the half-plane of the roller sees it (a straight rail: the track).
   struct Surface {
     double along_profile = 0; ///< x component of the direction along the profile
     Vector3 normal{};
     double rail = 0; ///< curvature of the rail along x under it, 1/mm
   };
-  Surface surface(Point2 position, Point2 tangent, const Meridian& m) const;
+  Surface surface(double s, Point2 position, Point2 tangent, const Meridian& m) const;
   std::optional<Point> point(double s, Point2 position, Point2 tangent) const;
   void trace();
 

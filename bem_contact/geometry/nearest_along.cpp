@@ -30,16 +30,25 @@ NearestAlong::NearestAlong(UnevenSurfaces surfaces, const WheelFrame& frame, dou
 }
 
 NearestAlong::Sample NearestAlong::sample(double theta) const {
-  return {theta, std::sin(theta), std::cos(theta), surfaces_.wheel(theta)};
+  return {theta, std::sin(theta), std::cos(theta), surfaces_.depth(theta)};
+}
+
+/// UnevenSurfaces::wheel()
+Point2 NearestAlong::offset(const Circle& c, const Sample& s) const {
+  const SectionedWheel* sections = surfaces_.wheel_sections();
+  return Point2{0, -s.depth} + (sections ? sections->offset(s.theta, c.s) : Point2{});
 }
 
 double NearestAlong::x_of(const Circle& c, const Sample& s) const {
-  return c.x0 + (c.radius - s.depth) * (s.cosine * frame_.down[0] + s.sine * frame_.forward[0]);
+  const Point2 off = offset(c, s);
+  return c.x0 + off.y * frame_.axle[0] +
+         (c.radius + off.z) * (s.cosine * frame_.down[0] + s.sine * frame_.forward[0]);
 }
 
 /// Along the normal, from the circle's centre towards the rail.
 double NearestAlong::reach(const Circle& c, const Sample& s) const {
-  return (c.radius - s.depth) * (s.cosine * c.n_down + s.sine * c.n_forward) -
+  const Point2 off = offset(c, s);
+  return off.y * c.n_axle + (c.radius + off.z) * (s.cosine * c.n_down + s.sine * c.n_forward) -
          c.n_z * surfaces_.rail(x_of(c, s));
 }
 
@@ -55,12 +64,17 @@ double NearestAlong::end_of_stretch(const Circle& c, int inside, int outside, do
   return in;
 }
 
-NearestAlong::Place NearestAlong::at(Point2 section, const Vector3& normal) const {
-  const Circle c{radius_ + section.z, frame_.centre[0] + section.y * frame_.axle[0], dot(normal, frame_.down),
-                 dot(normal, frame_.forward), normal[2]};
+NearestAlong::Place NearestAlong::at(double s, Point2 section, const Vector3& normal) const {
+  const Circle c{s,
+                 radius_ + section.z,
+                 frame_.centre[0] + section.y * frame_.axle[0],
+                 dot(normal, frame_.down),
+                 dot(normal, frame_.forward),
+                 dot(normal, frame_.axle),
+                 normal[2]};
   const int last = static_cast<int>(samples_.size()) - 1;
   std::vector<double> reaches(samples_.size());
-  std::ranges::transform(samples_, reaches.begin(), [&](const Sample& s) { return reach(c, s); });
+  std::ranges::transform(samples_, reaches.begin(), [&](const Sample& one) { return reach(c, one); });
   const int best = static_cast<int>(std::ranges::max_element(reaches) - reaches.begin());
   const auto [at, least] = boost::math::tools::brent_find_minima(
       [&](double angle) { return -reach(c, sample(angle)); }, samples_[std::max(best - 1, 0)].theta,

@@ -24,21 +24,23 @@ public:
     double half = 0;       ///< 1/mm: a parabola half (x' - x)^2 is as wide as the stretch
     double rail_lower = 0; ///< how much lower than a straight rail the rail is at theta, mm
   };
-  /// `section`: the point of the profile; `normal`: outward, where even bodies would be nearest.
-  Place at(Point2 section, const Vector3& normal) const;
+  /// `section`: the point of the profile at arc length s; `normal`: outward, where even bodies would be
+  /// nearest.
+  Place at(double s, Point2 section, const Vector3& normal) const;
 
   const UnevenSurfaces& surfaces() const { return surfaces_; }
 
 private:
-  /// One circle with the normal along which nearness is measured.
+  /// One circle, of the point of the profile at s, with the normal along which nearness is measured.
   struct Circle {
-    double radius, x0, n_down, n_forward, n_z;
+    double s, radius, x0, n_down, n_forward, n_axle, n_z;
   };
-  /// An angle on the wheel, and how much nearer to the axle the surface is there.
+  /// An angle on the wheel, and how much nearer to the axle all of the profile is there.
   struct Sample {
     double theta, sine, cosine, depth;
   };
   Sample sample(double theta) const;
+  Point2 offset(const Circle& c, const Sample& s) const;
   double x_of(const Circle& c, const Sample& s) const;
   double reach(const Circle& c, const Sample& s) const;
   double end_of_stretch(const Circle& c, int inside, int outside, double least) const;

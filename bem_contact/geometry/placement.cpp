@@ -163,7 +163,8 @@ Vector3 WheelOnRail::wheelset_centre() const {
 }
 
 WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, TabulatedProfile wheel,
-                  const std::shared_ptr<const SectionedSurface>& surface) {
+                  const std::shared_ptr<const RailSurfaces>& surface,
+                  const std::shared_ptr<const SectionedSurface>& wheel_surface) {
   // Roll and yaw are axial vectors in the plane that mirrors left and right: they change sign with y.
   const double side = position.side == WheelSide::left ? -1 : 1;
   WheelOnRail pair{std::move(rail),
@@ -174,6 +175,10 @@ WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, Tabul
                    side * position.yaw,
                    side * position.lateral};
 
+  if (position.uneven.given() || wheel_surface)
+    pair.uneven = UnevenSurfaces(position.uneven, position.wheel_radius, wheel_surface);
+  if (wheel_surface)
+    pair.wheel = pair.uneven->wheel_sections()->section();
   require_axle_above(pair.wheel, position.wheel_radius);
   pair.rail_pose.origin = rail_origin(position, pair.rail, pair.rail_pose.angle) +
                           Point2{side * position.rail_lateral, position.rail_vertical};
@@ -187,13 +192,11 @@ WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, Tabul
     pair.roller = Roller{position.roller_radius + position.rail_vertical};
     require_axis_below(pair);
   }
-  if (position.uneven.given()) {
-    if (pair.roller)
-      throw InputError("An uneven wheel or rail does not stand on a roller",
-                       "on a roller rig both are taken as round",
-                       "Leave out wheel.flat, wheel.polygon and rail.joint, or rail.roller_radius.");
-    pair.uneven = UnevenSurfaces(position.uneven, position.wheel_radius);
-  }
+  if (pair.uneven && pair.roller)
+    throw InputError("An uneven wheel or rail does not stand on a roller",
+                     "on a roller rig both are taken as round",
+                     "Leave out wheel.flat, wheel.polygon, wheel.sections and rail.joint, or "
+                     "rail.roller_radius.");
   const WheelDeviation& d = position.deviation;
   pair.deviation = {side * d.lateral, d.vertical, side * d.roll, side * d.yaw};
   const Point2 tape_radius{0, -position.wheel_radius};

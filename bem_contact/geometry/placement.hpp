@@ -116,10 +116,11 @@ struct WheelOnRail {
 /// Places both. The wheelset's centre is at z = -wheel_radius, so that the wheel may hang above the rail or
 /// cut into it: see lower_to_touch(). `surface`: of a rail of sections, of which `rail` is the one that gauge
 /// and top are taken from; nothing: it has this section alone. It is looked at from where the wheel touches
-/// it first. Throws InputError where a rail that is placed by its gauge face has none at the given height,
-/// where a roller's axis is not below all of the rail, for unevenness on a roller, and where the wheel stands
-/// off the sections.
+/// it first. `wheel_surface`: of a wheel of sections, the same. Throws InputError where a rail that is placed
+/// by its gauge face has none at the given height, where a roller's axis is not below all of the rail, for
+/// unevenness on a roller, and where the wheel stands off the sections.
 WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, TabulatedProfile wheel,
-                  const std::shared_ptr<const SectionedSurface>& surface = {});
+                  const std::shared_ptr<const RailSurfaces>& surface = {},
+                  const std::shared_ptr<const SectionedSurface>& wheel_surface = {});
 
 } // namespace bem_contact

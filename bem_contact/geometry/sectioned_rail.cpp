@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/place_in_table.hpp"
 #include "bem_contact/geometry/settings.hpp"
+#include "bem_contact/profile/sections/section_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,32 +20,15 @@ constexpr int surface_steps = 20;
 constexpr double surface_tolerance = 1e-12;
 /// mm. A step that is longer is cut: the surface turns over lengths like this.
 constexpr double longest_surface_step = 5.0;
-/// mm. A node this near to the one before it has no direction.
-constexpr double same_point = 1e-6;
-/// mm. What lies beyond the end of a section by less is its end: rounding.
-constexpr double at_the_end = 1e-7;
 
 /// y and z of it.
 Point2 plane_part(const Vector3& v) {
   return {v[1], v[2]};
 }
 
-/// A cubic Hermite piece whose parameter is t.
-CurvePiece hermite_piece(Point2 a, Point2 from, Point2 b, Point2 to, double length) {
-  if (norm(from) < same_point)
-    from = (1 / length) * (b - a);
-  if (norm(to) < same_point)
-    to = (1 / length) * (b - a);
-  const Point2 secant = (1 / length) * (b - a);
-  const Point2 second = (1 / length) * (3 * secant - 2 * from - to),
-               third = (1 / (length * length)) * (from + to - 2 * secant);
-  const double y[] = {a.y, from.y, second.y, third.y}, z[] = {a.z, from.z, second.z, third.z};
-  return polynomial_piece(y, z, length);
-}
-
 } // namespace
 
-SectionedRail::SectionedRail(std::shared_ptr<const SectionedSurface> surface, const Pose& pose, double along)
+SectionedRail::SectionedRail(std::shared_ptr<const RailSurfaces> surface, const Pose& pose, double along)
     : surface_(std::move(surface)), pose_(pose), along_(along) {
   if (along < surface_->from() || along > surface_->to())
     throw InputError(
@@ -73,52 +57,39 @@ std::optional<double> SectionedRail::u_across(double t) const {
     if (std::abs(step) < surface_tolerance * (1 + std::abs(u)))
       break;
   }
-  const auto [from, to] = surface_->extent(u);
-  return t >= from - at_the_end && t <= to + at_the_end ? std::optional(u) : std::nullopt;
+  return surface_->has(u, t) ? std::optional(u) : std::nullopt;
 }
 
 ProfileCurve SectionedRail::look_from(const RailFrame& frame) {
   frame_ = frame;
-  s_.clear();
-  t_.clear();
-  u_.clear();
-  struct Node {
-    Point2 position, before, after;
-  };
-  std::vector<Node> nodes;
+  std::vector<SectionNode> nodes;
   const Turn back(-pose_.angle);
   const auto in_section = [&](const Seen& p) { // along the cut, by t
     const double turned = -p.by_t[0] / p.by_u[0];
     return back(plane_part(p.by_t) + turned * plane_part(p.by_u));
   };
-  const auto [from, to] = surface_->extent(along_ + frame.origin[0]);
   for (const double t : surface_->nodes()) {
-    if (t < from - at_the_end || t > to + at_the_end)
+    if (!surface_->has(along_ + frame.origin[0], t))
       continue;
     const auto u = u_across(t);
     if (!u)
       continue;
     const Seen before = seen({*u, t}, -1), after = seen({*u, t}, 1);
-    const Point2 position = back(plane_part(after.position) - pose_.origin);
-    if (!nodes.empty() && norm(position - nodes.back().position) < same_point) {
-      nodes.back().after = in_section(after);
+    nodes.push_back(
+        {*u, t, back(plane_part(after.position) - pose_.origin), in_section(before), in_section(after)});
+    if (nodes.size() < 2)
       continue;
-    }
-    nodes.push_back({position, in_section(before), in_section(after)});
-    t_.push_back(t);
-    u_.push_back(*u);
+    SectionNode &last = nodes[nodes.size() - 2], &here = nodes.back();
+    if (surface_->body_of(last.t) != surface_->body_of(here.t)) // a straight line over the gap
+      last.after = here.before = {};
   }
-  if (nodes.size() < 3)
-    throw InputError("There is no rail under the wheel",
-                     fmt::format("at {:g} mm along the track its sections have no part in common",
-                                 along_ + frame.origin[0]),
-                     "Check the features of the sections.");
-  std::vector<CurvePiece> pieces;
-  for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
-    pieces.push_back(hermite_piece(nodes[k].position, nodes[k].after, nodes[k + 1].position,
-                                   nodes[k + 1].before, t_[k + 1] - t_[k]));
-  ProfileCurve out = ProfileCurve::from_pieces(fmt::format("rail at {:.6g} mm", along_ + frame.origin[0]),
-                                               std::move(pieces));
+  ProfileCurve out = curve_through(fmt::format("rail at {:.6g} mm", along_ + frame.origin[0]), nodes);
+  t_.clear();
+  u_.clear();
+  for (const SectionNode& node : nodes) {
+    t_.push_back(node.t);
+    u_.push_back(node.u);
+  }
   s_ = out.joints();
   return out;
 }
@@ -148,8 +119,7 @@ std::optional<SectionedRail::Place> SectionedRail::found(double x, const Contact
     at.u += du;
     at.t += dt;
     if (std::abs(du) + std::abs(dt) < surface_tolerance * (1 + std::abs(at.u))) {
-      const auto [from, to] = surface_->extent(at.u);
-      return at.t >= from - at_the_end && at.t <= to + at_the_end ? std::optional(at) : std::nullopt;
+      return surface_->has(at.u, at.t) ? std::optional(at) : std::nullopt;
     }
   }
   return std::nullopt;

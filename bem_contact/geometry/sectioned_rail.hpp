@@ -3,7 +3,7 @@
 #include "bem_contact/geometry/pose.hpp"
 #include "bem_contact/geometry/rail_frame.hpp"
 #include "bem_contact/profile/contact_row.hpp"
-#include "bem_contact/profile/sections/sectioned_surface.hpp"
+#include "bem_contact/profile/sections/rail_surfaces.hpp"
 
 #include <memory>
 #include <optional>
@@ -17,15 +17,20 @@ namespace bem_contact {
 /// frame it is a prism, its section there, and a relief: how far along the prism's normals the true surface
 /// lies deeper. Near the contact the relief is small and of second order in x, so that rows, columns, the
 /// contact locus and the half-space are those of the prism, and distances are exact along its normals.
+///
+/// Several bodies are one prism, with straight lines where there is nothing between them (RailSurfaces).
 class SectionedRail {
 public:
   /// `along`: u of the wheelset's centre, mm; the pose is that of all sections.
-  SectionedRail(std::shared_ptr<const SectionedSurface> surface, const Pose& pose, double along);
+  SectionedRail(std::shared_ptr<const RailSurfaces> surface, const Pose& pose, double along);
 
   /// The section across the frame's x, through its origin, in the frame of the pose; the view changes to
   /// this frame.
   ProfileCurve look_from(const RailFrame& frame);
   const RailFrame& frame() const { return frame_; }
+  /// How many bodies there are, and to which one a row belongs, counted as they were given.
+  int bodies() const { return surface_->count(); }
+  int body_of(const ContactRow& row) const { return surface_->body_of(start(row).t); }
 
   /// How much deeper than the prism the rail is along the normal of a row, mm, at x of the frame; nothing
   /// where there is no rail.
@@ -56,7 +61,7 @@ private:
   std::optional<double> u_across(double t) const;
   Place start(const ContactRow& row) const;
 
-  std::shared_ptr<const SectionedSurface> surface_;
+  std::shared_ptr<const RailSurfaces> surface_;
   Pose pose_;
   double along_ = 0;
   RailFrame frame_;

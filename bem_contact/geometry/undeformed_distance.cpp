@@ -55,7 +55,9 @@ public:
   Point2 position(int k) const { return reaches(k) ? places_[k].position : Point2{}; }
   bool joined(int k) const { return k > 0 && reaches(k - 1) && reaches(k); }
   Node between(int k, double t) const {
-    const auto p = from_section(wheel_.between(first_ + k, t).position);
+    const auto table = wheel_.nodes();
+    const double from = table[first_ + k].s, to = table[first_ + k + 1].s;
+    const auto p = from_section(from + t * (to - from), wheel_.between(first_ + k, t).position);
     return {p ? *p : position(k)};
   }
 
@@ -76,15 +78,17 @@ private:
     const double root = std::sqrt(under);
     return Angle{(a * c - b * root) / size, (b * c + a * root) / size};
   }
-  std::optional<Point2> from_section(Point2 p) const {
+  std::optional<Point2> from_section(double s, Point2 p) const {
+    const Point2 round = p;
     double r = radius_ + p.z;
     std::optional<Angle> angle = angle_at(p.y, r);
     // The radius there depends a little on the angle, and the angle hardly on the radius.
     for (int i = 0; uneven_ && angle && i < uneven_steps; ++i) {
-      const double before = r;
-      r = radius_ + p.z - uneven_->wheel(std::atan2(angle->sine, angle->cosine));
+      const Point2 before = p;
+      p = round + uneven_->wheel(std::atan2(angle->sine, angle->cosine), s);
+      r = radius_ + p.z;
       angle = angle_at(p.y, r);
-      if (std::abs(r - before) < crossing_distance)
+      if (std::abs(p.z - before.z) + std::abs(p.y - before.y) < crossing_distance)
         break;
     }
     if (!angle)
@@ -104,7 +108,8 @@ private:
   bool reaches(int k) const {
     Place& place = places_[k];
     if (place.state == State::unknown) {
-      const auto p = from_section(wheel_.nodes()[first_ + k].position);
+      const TabulatedProfile::Node& node = wheel_.nodes()[first_ + k];
+      const auto p = from_section(node.s, node.position);
       place = p ? Place{*p, State::reached} : Place{{}, State::missed};
     }
     return place.state == State::reached;

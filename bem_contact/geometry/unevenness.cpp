@@ -38,7 +38,8 @@ double depth_of_chord(double radius, double length) {
   return inside_circle(radius, std::asin(length / (2 * radius)), 0);
 }
 
-UnevenSurfaces::UnevenSurfaces(Unevenness what, double wheel_radius)
+UnevenSurfaces::UnevenSurfaces(Unevenness what, double wheel_radius,
+                               std::shared_ptr<const SectionedSurface> wheel)
     : what_(std::move(what)), radius_(wheel_radius), turned_(what_.along / wheel_radius) {
   if (const WheelFlat& flat = what_.flat; flat.given()) {
     half_angle_ =
@@ -54,9 +55,13 @@ UnevenSurfaces::UnevenSurfaces(Unevenness what, double wheel_radius)
   range_ += joint.dip + std::abs(joint.step);
   if (joint.gap > 0 || joint.step != 0)
     range_ += joint.rounding;
+  if (wheel) {
+    sections_.emplace(std::move(wheel), turned_ - what_.sections_angle);
+    range_ += sections_->range();
+  }
 }
 
-double UnevenSurfaces::wheel(double theta) const {
+double UnevenSurfaces::depth(double theta) const {
   const double angle = theta + turned_;
   double depth = 0;
   if (what_.flat.given()) {

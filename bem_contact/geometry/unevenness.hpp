@@ -1,5 +1,9 @@
 #pragma once
 
+#include "bem_contact/geometry/sectioned_wheel.hpp"
+
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +55,8 @@ struct Unevenness {
   WheelPolygon polygon;
   RailJoint joint;
   double along = 0; ///< place of the wheelset along the track, mm: it has rolled there from 0
+  /// Where angle 0 of a wheel of sections is when `along` is 0: 0 below the axle, growing forwards, rad.
+  double sections_angle = 0;
 
   bool given() const { return flat.given() || polygon.given() || joint.given(); } ///< any
   bool operator==(const Unevenness&) const = default;
@@ -62,12 +68,20 @@ struct Unevenness {
 /// The same as two functions, seen from the wheelset at its place.
 class UnevenSurfaces {
 public:
-  /// `wheel_radius`: nominal, mm; with it the wheel has rolled.
-  UnevenSurfaces(Unevenness what, double wheel_radius);
+  /// `wheel_radius`: nominal, mm; with it the wheel has rolled. `wheel`: of a wheel of sections; null: it has
+  /// one profile.
+  UnevenSurfaces(Unevenness what, double wheel_radius,
+                 std::shared_ptr<const SectionedSurface> wheel = nullptr);
 
-  /// How far the wheel's surface is nearer to the axle than on a round wheel, mm. `theta`: 0 below the
-  /// axle, growing forwards, rad.
-  double wheel(double theta) const;
+  /// How far the wheel's surface is off a round wheel with the section below the axle, (y, z) of its section,
+  /// mm. `theta`: 0 below the axle, growing forwards, rad. `s`: arc length on that section, mm.
+  Point2 wheel(double theta, double s) const {
+    return Point2{0, -depth(theta)} + (sections_ ? sections_->offset(theta, s) : Point2{});
+  }
+  /// How far a flat and waves bring it nearer to the axle there, on all of the profile, mm.
+  double depth(double theta) const;
+  /// Of a wheel of sections; null: of one profile.
+  const SectionedWheel* wheel_sections() const { return sections_ ? &*sections_ : nullptr; }
   /// How far the rail's surface lies lower than a straight rail at x from the wheelset's centre, mm; no_rail
   /// in a gap.
   double rail(double x) const;
@@ -80,6 +94,7 @@ private:
   double radius_ = 0, turned_ = 0; ///< mm; by how much the wheel has rolled, rad
   double half_angle_ = 0, share_ = 0, blend_ = 0;
   double range_ = 0;
+  std::optional<SectionedWheel> sections_ = {};
 };
 
 } // namespace bem_contact

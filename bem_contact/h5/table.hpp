@@ -21,12 +21,12 @@ namespace bem_contact {
 /// One dataset of doubles, row-major. Attributes say what it is: "unit", "description", and where there are
 /// some, "role" and "choices".
 struct H5Dataset {
-  std::vector<std::size_t> shape; ///< length of each dimension; empty: a single number
-  std::vector<double> values;     ///< as many as the product of the lengths, the last dimension fastest
-  std::string unit;               ///< of the values: mm, N, MPa ...; "1": none
-  std::string description;        ///< in a few words
-  bool whole = false;             ///< whole numbers: stored as such, none of them nan
-  std::string role = {};          ///< what a reader does with it (record/record.hpp); "": nothing special
+  std::vector<std::size_t> shape = {}; ///< length of each dimension; empty: a single number
+  std::vector<double> values = {};     ///< as many as the product of the lengths, the last dimension fastest
+  std::string unit = {};               ///< of the values: mm, N, MPa ...; "1": none
+  std::string description = {};        ///< in a few words
+  bool whole = false;                  ///< whole numbers: stored as such, none of them nan
+  std::string role = {}; ///< what a reader does with it (record/record.hpp); "": nothing special
   std::vector<std::string> choices = {}; ///< the values count these, from 0; in the file a line each
 
   static H5Dataset single(double value, std::string unit, std::string description) {

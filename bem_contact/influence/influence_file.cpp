@@ -10,6 +10,7 @@
 #include "bem_contact/influence/stress_kernel_file.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <ostream>
 #include <string_view>
 #include <system_error>

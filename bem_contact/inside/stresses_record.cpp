@@ -172,8 +172,6 @@ record::Record record_of(const StressesInside& inside) {
   std::vector<AreaPeaks> peaks;
   for (const AreaStresses& area : inside.areas)
     peaks.push_back(peaks_of(inside, area));
-  record::Table patches = record::table_of("patch", peak_columns(), peaks);
-  patches.layout = record::Layout::rows;
   record::Record sections;
   for (std::size_t k = 0; k < inside.areas.size(); ++k)
     sections.add(fmt::format("{}", k + 1), section_record(inside, inside.areas[k]));
@@ -185,7 +183,7 @@ record::Record record_of(const StressesInside& inside) {
        Number{inside.traction_error, "1", "of the largest pressure, over it; 0: not known"}},
       {"unknowns", Number{double(inside.unknowns), "1", "of the section's solutions", {}, true}},
       {"wavenumbers", Number{double(inside.wavenumbers), "1", "of them", {}, true}},
-      {"patches", std::move(patches)}};
+      {"patches", record::as_rows(record::table_of("patch", peak_columns(), peaks))}};
   if (!inside.areas.empty())
     out.add("in_words", record::Text{in_words(inside, inside.areas.front())});
   return std::move(out.add("sections", std::move(sections)));

@@ -15,7 +15,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <iterator>
@@ -238,8 +237,7 @@ bool MeasuredProfile::takes_shape_away() const {
 }
 
 std::optional<ProfileKind> kind_of_ending(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string ending = lower_ending(file);
   if (ending == ".prw" || ending == ".whl" || ending == ".whe")
     return ProfileKind::wheel;
   if (ending == ".prr" || ending == ".ban" || ending == ".rai")

@@ -1,5 +1,6 @@
 #include "bem_contact/python/executors.hpp"
 
+#include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
 
 #include <pybind11/functional.h>
@@ -8,27 +9,23 @@ namespace bem_contact {
 
 namespace py = pybind11;
 
-namespace {
-
-void require_executor(const py::object& executor) {
-  if (!py::hasattr(executor, "submit"))
+task::Engine engine_of(const py::object& executor) {
+  if (!executor.is_none() && !py::hasattr(executor, "submit"))
     refuse_type("The executor cannot be used", "it has no method submit",
                 "Give one of concurrent.futures, or another with its methods.");
+  return [executor](const task::Portions& all) {
+    py::list asked;
+    for (const std::string& one : all.asked)
+      asked.append(py::bytes(one));
+    const auto take = [&all](std::size_t portion, const std::string& answer) { all.take(portion, answer); };
+    py::module_::import("bem_contact.executors")
+        .attr("run_each")(executor, all.task.name, py::bytes(all.common), asked, py::cpp_function(take));
+  };
 }
 
-} // namespace
-
-py::list run_on(const py::object& executor, const char* kind, const py::list& tasks) {
-  require_executor(executor);
-  return py::module_::import("bem_contact.executors").attr("run_on")(executor, kind, tasks);
-}
-
-void run_each(const py::object& executor, const char* kind, const py::list& tasks,
-              const std::function<void(std::size_t task, py::object result)>& take) {
-  if (!executor.is_none())
-    require_executor(executor);
-  py::module_::import("bem_contact.executors")
-      .attr("run_each")(executor, kind, tasks, py::cpp_function(take));
+py::bytes run_task(const std::string& name, const std::string& common, const std::string& portion) {
+  const task::Task& task = task::task_named(name);
+  return stoppable([=, &task](const std::atomic<bool>* stop) { return task.run(common, portion, stop); });
 }
 
 } // namespace bem_contact

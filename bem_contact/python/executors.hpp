@@ -1,20 +1,19 @@
 #pragma once
 
+#include "bem_contact/task/engine.hpp"
+
 #include <pybind11/pybind11.h>
 
-#include <cstddef>
-#include <functional>
+#include <string>
 
 namespace bem_contact {
 
-/// Has an executor (bem_contact/executors.py) do each of `tasks`: tuples of arguments of the function
-/// `_KIND_part` of this module. Their results, in the order of the tasks. All of it can be pickled. Throws
-/// what a task raises, TypeError for what is no executor, and what a signal handler of Python raises.
-pybind11::list run_on(const pybind11::object& executor, const char* kind, const pybind11::list& tasks);
+/// Has an executor of Python (bem_contact/executors.py) answer portions of a task; None: this process, one
+/// after the other. Throws TypeError for what is no executor; the engine, what a task raises and what a
+/// signal handler of Python raises.
+task::Engine engine_of(const pybind11::object& executor);
 
-/// The same for tasks with many results: `take` gets the number of each task and its result as soon as it is
-/// there, in any order, and nobody else keeps it. None as executor: one after the other, here.
-void run_each(const pybind11::object& executor, const char* kind, const pybind11::list& tasks,
-              const std::function<void(std::size_t task, pybind11::object result)>& take);
+/// What executors call in the process or thread that they choose: a portion of the task of this name.
+pybind11::bytes run_task(const std::string& name, const std::string& common, const std::string& portion);
 
 } // namespace bem_contact

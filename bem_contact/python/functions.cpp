@@ -12,24 +12,20 @@
 #include "bem_contact/scene/csv_table.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/task/tasks.hpp"
 #include "bem_contact/uses/curves/creep_record.hpp"
 #include "bem_contact/uses/curves/measured_forces.hpp"
 #include "bem_contact/uses/fit/fit_curve.hpp"
 #include "bem_contact/uses/fit/fit_record.hpp"
-#include "bem_contact/uses/sweep/sweep_case.hpp"
 #include "bem_contact/uses/wheelset/quantities.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
-#include <tuple>
-#include <variant>
 #include <vector>
 
 namespace py = pybind11;
@@ -84,51 +80,6 @@ py::dict compare(const py::object& scene, const py::object& models, const py::ob
 void add_range(std::vector<CreepRange>& ranges, CreepKind kind, const py::object& values) {
   if (!values.is_none())
     ranges.push_back({kind, numbers_in(values, name_of(kind))});
-}
-
-/// HeldContact
-using Held = std::tuple<std::string, double, double, std::optional<double>, std::optional<double>, double>;
-/// Forces, their errors, those on larger elements, share of adhesion, certified.
-using SolvedPoint = std::tuple<CreepForceValues, CreepForceValues, CreepForceValues, double, bool>;
-
-/// In a process or thread of an executor: some points of creep curves.
-std::vector<SolvedPoint> solve_creep_part(const py::tuple& scene, const py::object& changes, const Held& held,
-                                          const std::vector<Creepages>& points) {
-  const SceneFile file = parse_scene_file(scene_text_of(scene), changes_of(changes));
-  const auto& [model, dx, ds, lateral, layer, offset] = held;
-  const HeldContact contact{model_named(model).value(), dx, ds, lateral, layer, offset};
-  std::vector<SolvedPoint> out;
-  for (const CreepPoint& p : stoppable([file, contact, points](const std::atomic<bool>* stop) {
-         return creep_points(file, contact, points, stop);
-       }))
-    out.emplace_back(CreepForceValues{p.forces[0], p.forces[1], p.forces[2]},
-                     CreepForceValues{p.forces[0].error, p.forces[1].error, p.forces[2].error}, p.coarse,
-                     p.adhesion_share, p.certified);
-  return out;
-}
-
-/// By chunks, so that what is found does not depend on how many share it.
-CreepSolver points_shared_by(const py::object& executor, const SceneText& scene, const py::object& changes) {
-  return [=](const HeldContact& held, std::span<const Creepages> points) {
-    const Held contact{name_of(held.model),   held.dx,    held.ds, held.lateral,
-                       held.layer_compliance, held.offset};
-    const py::tuple text = tuple_of(scene); // one for all tasks
-    py::list tasks;
-    const std::size_t chunk = chunk_size(points.size());
-    for (std::size_t first = 0; first < points.size(); first += chunk) {
-      const auto some = points.subspan(first, std::min(chunk, points.size() - first));
-      tasks.append(py::make_tuple(text, changes, contact, std::vector<Creepages>(some.begin(), some.end())));
-    }
-    std::vector<CreepPoint> out;
-    for (const py::handle part : run_on(executor, "creep", tasks))
-      for (const auto& [forces, errors, coarse, adhesion, certified] : part.cast<std::vector<SolvedPoint>>())
-        out.push_back({0,
-                       {{{forces[0], errors[0]}, {forces[1], errors[1]}, {forces[2], errors[2]}}},
-                       coarse,
-                       adhesion,
-                       certified});
-    return out;
-  };
 }
 
 /// A table that was measured.
@@ -204,7 +155,7 @@ py::dict curves(const py::object& scene, const py::object& changes, const py::ob
     return out.add("measured", record_of(points));
   };
   if (!executor.is_none())
-    return as_dict(solve(nullptr, points_shared_by(executor, text, changes)));
+    return as_dict(solve(nullptr, task::creep_points_by(engine_of(executor), text, changes_of(changes))));
   return as_dict(stoppable([=](const std::atomic<bool>* stop) { return solve(stop, nullptr); }));
 }
 
@@ -291,7 +242,7 @@ void add_functions(py::module_& module) {
       "\"correlation\", "
       "\"not_determined\" (what the points do not say), \"measured\" (\"measured_2\" ...) and \"pressures\", "
       "and with forces \"band\" and what creep_curves() gives at the found values. N, mm.");
-  module.def("_creep_part", &solve_creep_part, "scene"_a, "changes"_a, "held"_a, "points"_a);
+  module.def("_run_task", run_task, "task"_a, "common"_a, "portion"_a);
   module.def(
       "wheelset", wheelset, "scene"_a, "changes"_a = py::none(), "model"_a = py::none(), py::kw_only(),
       "folder"_a = py::none(),

@@ -219,7 +219,8 @@ void add_parts(ResultClass& c) {
   c.def_property_readonly(
       "derivatives",
       [](const SceneResult& r) {
-        return r.derivatives.empty() ? py::object(py::none()) : as_object(derivatives_of(r));
+        const record::Record found = derivatives_of(r);
+        return found.empty() ? py::object(py::none()) : as_object(found);
       },
       "A dict for each number that `derivatives` names, as derivatives[\"lateral\"][\"Fy\"]; None: not asked "
       "for");

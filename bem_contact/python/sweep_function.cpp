@@ -1,27 +1,18 @@
-#include "bem_contact/base/error.hpp"
-#include "bem_contact/base/input_file.hpp"
-#include "bem_contact/base/output_file.hpp"
 #include "bem_contact/python/executors.hpp"
 #include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/scene/sweep_check.hpp"
-#include "bem_contact/sequence/shared_files.hpp"
-#include "bem_contact/uses/sweep/sweep_rows.hpp"
+#include "bem_contact/task/tasks.hpp"
 #include "bem_contact/uses/wheelset/solve_wheelset.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <fmt/format.h>
 #include <functional>
-#include <limits>
-#include <map>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -73,174 +64,9 @@ py::array_t<std::int64_t> whole(const std::vector<std::size_t>& numbers) {
   return py::array_t<std::int64_t>(py::cast(numbers));
 }
 
-/// Gives every case of the sweep a key's value.
-void change_all(SweepFile& sweep, const SceneChange& change) {
-  if (std::ranges::count(sweep.axes, change.key, &SweepFile::Axis::key) > 0)
-    throw InputError("The change of " + change.key + " cannot be made",
-                     "the sweep gives it a value in each case", "Leave it out, or take it out of [sweep].");
-  sweep.axes.push_back({change.key, {change.value}});
-}
-
 /// The package's class, which is a dict.
 py::object as_sweep(const py::dict& columns) {
   return py::module_::import("bem_contact").attr("Sweep")(columns);
-}
-
-/// The cases of a scene, with changes of all of them.
-SweepFile sweep_of(SceneText scene, const py::object& changes) {
-  SweepFile file = parse_sweep_file(std::move(scene));
-  for (const SceneChange& change : changes_of(changes))
-    change_all(file, change);
-  return file;
-}
-
-std::vector<SweepCase> solve_range(const SweepFile& sweep, CaseRange cases, const std::string& model) {
-  return stoppable([=](const std::atomic<bool>* stop) {
-    std::vector<SweepCase> out;
-    solve_cases(sweep, cases, {.model = model, .stop = stop}, shared_files(), [&](SweepCase one) {
-      out.push_back(std::move(one));
-      return true;
-    });
-    return out;
-  });
-}
-
-/// Rows of a matrix as one array, [column][case].
-py::array_t<double> matrix_of(const std::vector<std::vector<double>>& columns) {
-  const std::size_t length = columns.empty() ? 0 : columns.front().size();
-  py::array_t<double> out({columns.size(), length});
-  if (length == 0) // there is no place to copy to
-    return out;
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    std::ranges::copy(columns[k], out.mutable_data(static_cast<py::ssize_t>(k), 0));
-  return out;
-}
-
-std::vector<std::vector<double>> columns_in(const py::handle& matrix) {
-  const auto all = matrix.cast<py::array_t<double, py::array::c_style>>();
-  std::vector<std::vector<double>> out;
-  for (py::ssize_t k = 0; k < all.shape(0); ++k)
-    out.emplace_back(all.data() + k * all.shape(1), all.data() + (k + 1) * all.shape(1));
-  return out;
-}
-
-/// Columns, which can be pickled.
-py::tuple tuple_of_rows(const SweepRows& rows) {
-  std::vector<int> status;
-  for (const record::Outcome one : rows.status)
-    status.push_back(static_cast<int>(one));
-  return py::make_tuple(rows.cases.first, rows.cases.last, py::array_t<int>(py::cast(status)), rows.reasons,
-                        matrix_of(rows.numbers.cases), whole(rows.numbers.patch_case),
-                        whole(rows.numbers.patch_rank), matrix_of(rows.numbers.patches));
-}
-
-SweepRows rows_in(const py::tuple& t) {
-  SweepRows rows{{t[0].cast<std::size_t>(), t[1].cast<std::size_t>()}, {}, {}, {}};
-  for (const int one : t[2].cast<std::vector<int>>())
-    rows.status.push_back(static_cast<record::Outcome>(one));
-  rows.reasons = t[3].cast<std::map<std::size_t, std::string>>();
-  rows.numbers = {columns_in(t[4]), t[5].cast<std::vector<std::size_t>>(),
-                  t[6].cast<std::vector<std::size_t>>(), columns_in(t[7])};
-  return rows;
-}
-
-/// In a process or thread of an executor: the cases of a range.
-py::tuple solve_sweep_part(const py::tuple& scene, const py::object& changes, const std::string& model,
-                           std::size_t first, std::size_t last) {
-  const SweepFile sweep = sweep_of(scene_text_of(scene), changes);
-  return tuple_of_rows(rows_of({first, last}, solve_range(sweep, {first, last}, model), columns_of(sweep)));
-}
-
-/// As the program asks for a sweep that it writes. Changes are options.
-AskedSweep asked_sweep(SweepFile sweep, const py::object& changes, const std::string& model) {
-  AskedSweep asked{.scene = sweep.text.source, .sweep = std::move(sweep), .model = model};
-  std::string options = model;
-  for (const SceneChange& change : changes_of(changes))
-    options += fmt::format(" {} = {}", change.key, to_text(change.value));
-  asked.origins = origins_of(asked.sweep, options);
-  asked.digest = digest_of(asked.origins);
-  return asked;
-}
-
-/// Whether a former call has left the part. One that is damaged is solved again.
-bool is_there(const AskedSweep& asked, const std::filesystem::path& file) {
-  if (!is_regular(file))
-    return false;
-  try {
-    read_part(asked, file);
-    return true;
-  } catch (const PartFault& fault) {
-    if (!fault.damaged)
-      throw;
-    return false;
-  }
-}
-
-/// In a process or thread of an executor: writes the file of a part, unless it is there.
-void write_sweep_part(const py::tuple& scene, const py::object& changes, const std::string& model,
-                      std::size_t first, std::size_t last, const std::string& file) {
-  const AskedSweep asked = asked_sweep(sweep_of(scene_text_of(scene), changes), changes, model);
-  if (is_there(asked, file))
-    return;
-  stoppable([=](const std::atomic<bool>* stop) {
-    solve_part(
-        asked, {first, last}, file, [] {}, stop);
-    return true;
-  });
-}
-
-/// What sweep() is asked besides its scene.
-struct SharedSweep {
-  py::object changes;
-  std::string model;
-  py::object executor, progress;
-  std::string output; ///< folder; "": none
-
-  /// Tasks of whole chunks, so that what is found is what one process finds.
-  std::vector<CaseRange> tasks(const SweepFile& sweep) const {
-    constexpr std::size_t most_tasks = 1000; // each reads its files again
-    const std::size_t cases = sweep.size(), chunk = cut_of(sweep, model, *shared_files()).chunk,
-                      chunks = (cases + chunk - 1) / chunk,
-                      size = chunk * ((chunks + most_tasks - 1) / most_tasks);
-    std::vector<CaseRange> out;
-    for (std::size_t first = 0; first < cases; first += size)
-      out.push_back({first, std::min(cases, first + size)});
-    return out;
-  }
-  std::string file(CaseRange cases) const {
-    return (std::filesystem::path(output) / fmt::format("{}-{}.h5", cases.first, cases.last)).string();
-  }
-  void say(std::size_t done, std::size_t of) const {
-    if (!progress.is_none())
-      progress(done, of);
-  }
-};
-
-AllSweepRows solve_sweep_with(const SweepFile& sweep, const SharedSweep& how) {
-  const std::vector<CaseRange> ranges = how.tasks(sweep);
-  const bool files = !how.output.empty();
-  if (files)
-    make_folder(how.output);
-  const py::tuple text = tuple_of(sweep.text); // one for all tasks: it grows with the cases
-  py::list tasks;
-  for (const CaseRange& cases : ranges) {
-    const py::tuple task = py::make_tuple(text, how.changes, how.model, cases.first, cases.last);
-    tasks.append(files ? py::tuple(task + py::make_tuple(how.file(cases))) : task);
-  }
-  AllSweepRows rows;
-  std::size_t done = 0;
-  run_each(how.executor, files ? "sweep_file" : "sweep", tasks,
-           [&](std::size_t task, const py::object& part) {
-             if (!files)
-               rows[ranges[task].first] = rows_in(part);
-             how.say(done += ranges[task].size(), sweep.size());
-           });
-  if (files) {
-    const AskedSweep asked = asked_sweep(sweep, how.changes, how.model);
-    for (const CaseRange& cases : ranges)
-      rows[cases.first] = read_rows(read_part(asked, how.file(cases)), asked.columns());
-  }
-  return rows;
 }
 
 /// One column of all, which is taken from its parts.
@@ -296,19 +122,21 @@ py::object sweep(const py::object& scene, const py::object& changes, const py::o
                  const py::object& progress) {
   if (model.is_none() && py::isinstance<py::str>(changes)) // the model was the second argument
     return sweep(scene, py::none(), changes, folder, executor, output, progress);
-  SweepFile file = parse_sweep_file(scene_of(scene, folder));
-  const std::size_t swept = file.axes.size();
-  file = sweep_of(file.text, changes);
-  const SharedSweep how{changes, model_of(model), executor, progress,
-                        output.is_none() ? "" : std::filesystem::absolute(path_of(output)).string()};
+  const bool shared = !executor.is_none() || !output.is_none() || !progress.is_none();
+  const task::SharedSweep asked{scene_of(scene, folder), changes_of(changes), model_of(model),
+                                output.is_none() ? std::filesystem::path()
+                                                 : std::filesystem::absolute(path_of(output)),
+                                shared ? task::most_portions : 1};
+  const SweepFile file = asked.sweep();
   check_cases(file, file.all());
-  with_model(file.first_scene(), how.model); // refuses what is no model
-  AllSweepRows rows;
-  if (executor.is_none() && output.is_none() && progress.is_none())
-    rows[0] = rows_of(file.all(), solve_range(file, file.all(), how.model), columns_of(file));
-  else
-    rows = solve_sweep_with(file, how);
-  return as_sweep(answer_of(file, swept, std::move(rows)));
+  with_model(file.first_scene(), asked.model); // refuses what is no model
+  std::size_t done = 0;
+  const auto say = [&](std::size_t more) {
+    if (!progress.is_none())
+      progress(done += more, file.size());
+  };
+  return as_sweep(answer_of(file, file.axes.size() - asked.changes.size(),
+                            task::sweep_by(engine_of(executor), asked, say)));
 }
 
 } // namespace
@@ -340,9 +168,6 @@ void add_check_and_sweep(py::module_& module) {
       "solves "
       "what is missing (`bem_contact sweep SCENE --join FOLDER` reads these files, too, if there are no "
       "changes). `progress`: called as progress(cases that are done, all) after each task.");
-  module.def("_sweep_part", &solve_sweep_part, "scene"_a, "changes"_a, "model"_a, "first"_a, "last"_a);
-  module.def("_sweep_file_part", &write_sweep_part, "scene"_a, "changes"_a, "model"_a, "first"_a, "last"_a,
-             "file"_a);
 }
 
 } // namespace bem_contact

@@ -7,7 +7,7 @@
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
-#include "bem_contact/uses/sweep/sweep_case.hpp"
+#include "bem_contact/task/tasks.hpp"
 #include "bem_contact/uses/table/creep_table.hpp"
 #include "bem_contact/uses/table/packed_table.hpp"
 #include "bem_contact/uses/table/scene_table.hpp"
@@ -17,9 +17,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <algorithm>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -77,93 +75,26 @@ table::SceneTable described(const py::object& scene, const py::object& axes, con
   return out;
 }
 
-/// Solves points of a table; `part` and `head` say the same to a process of an executor (solve_points()).
-struct AskedPoints {
-  table::PointSolver solver;
-  const char* part;
-  py::tuple head;
-};
-
-/// In a process or thread of an executor: values and their errors of some points.
-py::list solve_points(const table::PointSolver& solver, std::vector<table::Point> points) {
-  const std::vector<table::PointValues> found = stoppable([=](const std::atomic<bool>* stop) {
-    return table::one_by_one([&](const table::Point& point) {
-      end_if_stopped(stop);
-      return solver(point);
-    })(points);
-  });
-  py::list out;
-  for (const table::PointValues& point : found)
-    out.append(py::make_tuple(point.values, point.element_errors));
-  return out;
-}
-
-/// By chunks, as the program: so what is found does not depend on how many share it.
-table::PointsSolver shared_by(const py::object& executor, const AskedPoints& points) {
-  return [=](std::span<const table::Point> all) {
-    py::list tasks;
-    const std::size_t chunk = chunk_size(all.size());
-    for (std::size_t first = 0; first < all.size(); first += chunk) {
-      const auto some = all.subspan(first, std::min(chunk, all.size() - first));
-      tasks.append(points.head + py::make_tuple(std::vector<table::Point>(some.begin(), some.end())));
-    }
-    std::vector<table::PointValues> out;
-    for (const py::handle part : run_on(executor, points.part, tasks))
-      for (const py::handle point : part) {
-        const auto pair = py::reinterpret_borrow<py::tuple>(point);
-        out.push_back({pair[0].cast<std::vector<double>>(), pair[1].cast<std::vector<double>>()});
-      }
-    return out;
-  };
-}
-
-void solve(table::ContactTable& t, const AskedPoints& points, const table::Wanted& wanted,
-           const py::object& executor, const std::optional<std::filesystem::path>& output) {
-  if (executor.is_none())
-    t = stoppable([t, solver = points.solver, wanted](const std::atomic<bool>* stop) {
+/// `solve`: one after the other, if there is no executor.
+py::dict solved(table::ContactTable t, const table::PointSolver& solve, const table::PointsSolver& shared,
+                const table::Wanted& wanted, const std::optional<std::filesystem::path>& output) {
+  if (shared)
+    table::refine(t, shared, wanted);
+  else
+    t = stoppable([t, solve, wanted](const std::atomic<bool>* stop) {
       table::ContactTable refined = t;
-      const table::PointSolver until_stopped = [&solver, stop](const table::Point& point) {
+      const table::PointSolver until_stopped = [&solve, stop](const table::Point& point) {
         end_if_stopped(stop);
-        return solver(point);
+        return solve(point);
       };
       table::refine(refined, table::one_by_one(until_stopped), wanted);
       return refined;
     });
-  else
-    table::refine(t, shared_by(executor, points), wanted);
   if (output)
     table::write_table(
         *output,
         {{"format", record::Text{table_format}}, {"program", record::Text{provenance("bem_contact")}}}, t);
-}
-
-using Axes = std::vector<std::pair<std::string, std::vector<double>>>;
-
-AskedPoints asked_points(const table::SceneTable& order) {
-  Axes axes;
-  for (const table::SceneTable::KeyAxis& axis : order.axes)
-    axes.emplace_back(axis.key, axis.points);
-  return {table::scene_point_solver(order), "scene_table", py::make_tuple(tuple_of(order.text), axes)};
-}
-
-py::list solve_scene_table_part(const py::tuple& scene, const Axes& axes,
-                                const std::vector<table::Point>& points) {
-  table::SceneTable order{scene_text_of(scene)};
-  for (const auto& [key, first_points] : axes)
-    order.axes.push_back({key, first_points});
-  return solve_points(table::scene_point_solver(order), points);
-}
-
-AskedPoints asked_points(const table::CreepScale& scale, int elements) {
-  return {table::creep_point_solver(scale, elements), "creep_table",
-          py::make_tuple(scale.log10_a_over_b, scale.c11, scale.c22, scale.poisson, elements)};
-}
-
-py::list solve_creep_table_part(std::vector<double> log10_a_over_b, std::vector<double> c11,
-                                std::vector<double> c22, double poisson, int elements,
-                                const std::vector<table::Point>& points) {
-  const table::CreepScale scale{std::move(log10_a_over_b), std::move(c11), std::move(c22), poisson};
-  return solve_points(table::creep_point_solver(scale, elements), points);
+  return dict_of(t);
 }
 
 py::dict make_table(const py::object& scene, const py::object& axes, std::vector<std::string> hold,
@@ -171,22 +102,22 @@ py::dict make_table(const py::object& scene, const py::object& axes, std::vector
                     double poisson, int elements, const std::optional<std::filesystem::path>& output,
                     const py::object& folder, const py::object& executor) {
   table::Wanted wanted{.tolerance = tolerance, .most_points = most_points};
-  table::ContactTable t;
+  const bool shared = !executor.is_none();
   if (scene.is_none()) {
     if (!axes.is_none() || !hold.empty())
       throw InputError("A table without a scene has no axes of yours", "it is one of creep forces",
                        "Give a scene, or leave out `axes` and `hold`.");
-    t = table::creep_table({poisson, ratio.first, ratio.second, elements, tolerance});
-    solve(t, asked_points(*t.scale, elements), wanted, executor, output);
-    return dict_of(t);
+    table::ContactTable t = table::creep_table({poisson, ratio.first, ratio.second, elements, tolerance});
+    const table::CreepScale scale = *t.scale;
+    return solved(std::move(t), table::creep_point_solver(scale, elements),
+                  shared ? task::points_by(engine_of(executor), scale, elements) : nullptr, wanted, output);
   }
   wanted.rescale = table::rescale;
   table::SceneTable order = described(scene, axes, folder);
   if (!hold.empty())
     order.hold = std::move(hold);
-  t = table::table_of(order);
-  solve(t, asked_points(order), wanted, executor, output);
-  return dict_of(t);
+  return solved(table::table_of(order), table::scene_point_solver(order),
+                shared ? task::points_by(engine_of(executor), order) : nullptr, wanted, output);
 }
 
 /// A table to look up in, and its members for Python, made once.
@@ -294,9 +225,6 @@ void add_table(py::module_& module) {
       "HDF5 file, too. `executor`: any of concurrent.futures, or with its methods, shares the points. Then "
       "the "
       "numbers are those of the program, however many share them.");
-  module.def("_scene_table_part", &solve_scene_table_part, "scene"_a, "axes"_a, "points"_a);
-  module.def("_creep_table_part", &solve_creep_table_part, "log10_a_over_b"_a, "c11"_a, "c22"_a, "poisson"_a,
-             "elements"_a, "points"_a);
 }
 
 } // namespace bem_contact

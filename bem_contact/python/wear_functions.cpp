@@ -7,13 +7,12 @@
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
+#include "bem_contact/task/tasks.hpp"
 #include "bem_contact/uses/fatigue/fatigue_of_result.hpp"
-#include "bem_contact/uses/sweep/sweep_case.hpp"
 #include "bem_contact/uses/wear/rates.hpp"
 #include "bem_contact/uses/wear/study.hpp"
 #include "bem_contact/uses/wear/wear_of_result.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <optional>
 #include <pybind11/stl.h>
@@ -141,85 +140,13 @@ SweepFile collective_of(const py::object& scene, const py::object& folder) {
   return parse_sweep_file(scene_of(scene, folder));
 }
 
-using Law = std::tuple<std::string, double, double>;      ///< name, hardness, speed
-using Shapes = std::pair<NumberList, NumberList>;         ///< of rail and wheel: y, z, y, z ...
-using Influence = std::pair<std::string, std::string>;    ///< files of rail and wheel
-using Taken = std::tuple<NumberList, NumberList, double>; ///< DepthOverS
-using CasesTaken = std::vector<std::pair<Taken, Taken>>;  ///< by case, of rail and wheel
-
-NumberList flat_points(const wear::WornBody& body) {
-  NumberList out;
-  for (const Point2& p : body.points)
-    out.insert(out.end(), {p.y, p.z});
-  return out;
-}
-
-wear::WornBody body_with(const NumberList& numbers) {
-  wear::WornBody out;
-  for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
-    out.points.push_back({numbers[i], numbers[i + 1]});
-  return out;
-}
-
-/// In a process or thread of an executor: what a range of cases takes off.
-CasesTaken solve_wear_part(const py::tuple& scene, const std::string& model, const Law& law,
-                           const Shapes& shapes, double revolutions, const Influence& influence,
-                           std::size_t first, std::size_t last) {
-  const SceneText text = scene_text_of(scene);
-  const auto found = stoppable([=](const std::atomic<bool>* stop) {
-    const std::vector<wear::CollectiveCase> cases =
-        wear::collective_of(parse_sweep_file(text), {first, last}, model);
-    const auto& [name, hardness, speed] = law;
-    const wear::EvolutionOptions options{
-        .law = wear::law_named(name, hardness, speed, wear::wear_map_of(cases.front().scene)), .stop = stop};
-    const wear::WornPair now{body_with(shapes.first), body_with(shapes.second), revolutions};
-    const TemporaryFolder folder;
-    wear::write_profiles(now, folder.path());
-    return wear::wear_of_cases(now, cases, options, folder.path(),
-                               {{influence.first, {}}, {influence.second, {}}});
-  });
-  CasesTaken out;
-  for (const wear::CaseWear& one : found)
-    out.push_back(
-        {{one.rail.s, one.rail.depth, one.rail.width}, {one.wheel.s, one.wheel.depth, one.wheel.width}});
-  return out;
-}
-
-/// For a process that may work in another folder; "": no file.
-std::string absolute_or_none(const std::filesystem::path& file) {
-  return file.empty() ? "" : std::filesystem::absolute(file).string();
-}
-
-/// By chunks, so that what is found does not depend on how many share it.
-wear::CasesSolver cases_shared_by(const py::object& executor, const SweepFile& sweep,
-                                  const std::string& model, const wear::StudyOptions& asked) {
-  return [=](const wear::WornPair& now, const wear::KeptPair& influence) {
-    const auto head = py::make_tuple(
-        tuple_of(sweep.text), model, Law{asked.law, asked.hardness, asked.speed},
-        Shapes{flat_points(now.rail), flat_points(now.wheel)}, now.revolutions,
-        Influence{absolute_or_none(influence.rail.file), absolute_or_none(influence.wheel.file)});
-    py::list tasks;
-    const std::size_t chunk = chunk_size(sweep.size());
-    for (std::size_t first = 0; first < sweep.size(); first += chunk)
-      tasks.append(head + py::make_tuple(first, std::min(sweep.size(), first + chunk)));
-    std::vector<wear::CaseWear> out;
-    const auto depths = [](const Taken& t) {
-      return wear::DepthOverS{std::get<0>(t), std::get<1>(t), std::get<2>(t)};
-    };
-    for (const py::handle part : run_on(executor, "wear", tasks))
-      for (const auto& [rail, wheel] : part.cast<CasesTaken>())
-        out.push_back({depths(rail), depths(wheel)});
-    return out;
-  };
-}
-
 py::dict wear_under(const NoResult& scene, double depth, const py::object& model, const py::object& folder,
                     const py::object& executor, const py::kwargs& options) {
   const wear::StudyOptions asked = study_options(depth, options);
   const SweepFile sweep = collective_of(scene, folder);
   wear::Study study = wear::study_of(sweep, model_of(model), asked);
   if (!executor.is_none())
-    study.options.solve = cases_shared_by(executor, sweep, model_of(model), asked);
+    study.options.solve = task::wear_by(engine_of(executor), sweep, model_of(model), asked);
   const States states =
       executor.is_none() ? stoppable([study](const std::atomic<bool>* stop) { return worn_by(study, stop); })
                          : worn_by(study, nullptr);
@@ -289,8 +216,6 @@ void add_wear_functions(py::module_& module) {
       "command. Raises InputError where influence functions would have to be computed anew. `executor`: any "
       "of concurrent.futures, or with its methods, shares the cases of each step in chunks that start cold: "
       "the wear is the same within the certificate, and does not depend on how many share it.");
-  module.def("_wear_part", &solve_wear_part, "scene"_a, "model"_a, "law"_a, "shapes"_a, "revolutions"_a,
-             "influence"_a, "first"_a, "last"_a);
   const fatigue::FatigueProperties steel;
   module.def("fatigue", &fatigue_of, "result"_a, "yield_shear"_a = steel.yield_shear,
              "nodes"_a = steel.damage.t_gamma, "damage"_a = steel.damage.damage,
@@ -303,8 +228,7 @@ void add_wear_functions(py::module_& module) {
              "wear_is_negative"_a = steel.damage.wear_is_negative, "folder"_a = py::none(),
              "The same of each case of a scene's table [sweep], as `bem_contact fatigue` has it: `cases`, "
              "`beyond_surface_limit` (patches), `beyond_limit_below` (others), `damage` (of one passage, "
-             "mean over the collective), and `patches`, a "
-             "dict of arrays with one entry for each patch of each case.");
+             "mean over the collective), and `patches`, one dict for each patch of each case.");
 }
 
 } // namespace bem_contact

@@ -97,8 +97,8 @@ const Record& part(const Record& record, std::string_view path) {
   return found ? *found : empty;
 }
 
-std::string question(const Record& answer, const char* asks, const char* command) {
-  return fmt::format("{} bem_contact {} {}", asks, command, text_at(answer, "scene").value_or("SCENE.toml"));
+NextQuestion question(const Record& answer, const char* asks, const char* command) {
+  return {asks, fmt::format("bem_contact {} {}", command, text_at(answer, "scene").value_or("SCENE.toml"))};
 }
 
 void add_if(std::vector<std::string>& lines, std::string line) {
@@ -120,8 +120,9 @@ Record with_found(Record answer) {
   Found found = found_in(answer);
   if (found.sentences.empty())
     return answer;
-  Record out{{"found", Texts{std::move(found.sentences), "what was found"}},
-             {"next", Texts{std::move(found.next), "what may be asked next"}}};
+  Texts next{{}, "what may be asked next"};
+  std::ranges::transform(found.next, std::back_inserter(next.lines), &NextQuestion::text);
+  Record out{{"found", Texts{std::move(found.sentences), "what was found"}}, {"next", std::move(next)}};
   return std::move(out.append(std::move(answer)));
 }
 

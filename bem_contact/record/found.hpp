@@ -8,12 +8,19 @@
 
 namespace bem_contact::record {
 
+/// What may be asked next, and the command that asks it.
+struct NextQuestion {
+  std::string asks, command = {}; ///< "": `asks` says all
+
+  std::string text() const { return command.empty() ? asks : asks + " " + command; }
+};
+
 /// What an answer says before any table. Text, JSON, Python and pages take it from here, so that they say the
 /// same.
 struct Found {
   std::vector<std::string>
-      sentences;                 ///< what was found, with numbers and their errors; the most important first
-  std::vector<std::string> next; ///< what may be asked next, a question and its command each
+      sentences; ///< what was found, with numbers and their errors; the most important first
+  std::vector<NextQuestion> next;
 };
 
 /// Of an answer with a "format" (file_kinds.hpp). Empty for what has no answer in words, such as influence

@@ -32,7 +32,7 @@ const Record& part(const Record& record, std::string_view path);
 void add_if(std::vector<std::string>& lines, std::string line);
 
 /// "Does the steel below yield? bem_contact shakedown curve.toml"
-std::string question(const Record& answer, const char* asks, const char* command);
+NextQuestion question(const Record& answer, const char* asks, const char* command);
 
 /// Of a sweep: whether it is a replay, whether the sentences of one need this entry, and these sentences:
 /// where the run's own numbers differ most from ours, and how many steps were solved.

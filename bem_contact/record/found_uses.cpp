@@ -169,7 +169,7 @@ Found of_sweep(const Record& r) {
   found.next = {question(r, "Do cracks begin under these loads?", "fatigue"),
                 question(r, "What becomes of the profiles?", "wear")};
   if (is_replay(r)) // those take the cases of [sweep]
-    found.next = {"How do the forces go over time? bem_contact report R.h5 -o R.html",
+    found.next = {{"How do the forces go over time?", "bem_contact report R.h5 -o R.html"},
                   question(r, "Which forces can the vehicle program look up instead?", "table")};
   return found;
 }
@@ -264,7 +264,7 @@ Found of_table(const Record& r) {
     found.sentences.push_back(fmt::format(
         "Between them it is at most {:.1f} % of a column's scale off a solution (of {}).", 100 * worst, of));
   found.sentences.push_back(fmt::format("{:.3g} % was asked for.", 100 * count_at(r, "tolerance")));
-  found.next = {"How is it read? data/tutorial/table.md says it for C, Fortran, Python and Matlab."};
+  found.next = {{"How is it read? data/tutorial/table.md says it for C, Fortran, Python and Matlab."}};
   return found;
 }
 
@@ -283,8 +283,8 @@ Found of_wear(const Record& r) {
                            at("wheel_area")),
                fmt::format("This was computed in {}.", counted(std::ptrdiff_t(last), "step", "steps"))},
               {}};
-  found.next = {"Where do the worn profiles touch? Give rail_NNNN.txt and wheel_NNNN.txt to bem_contact new "
-                "or profile."};
+  found.next = {{"Where do the worn profiles touch? Give rail_NNNN.txt and wheel_NNNN.txt to bem_contact new "
+                 "or profile."}};
   return found;
 }
 
@@ -345,7 +345,8 @@ Found of_stresses(const Record& r) {
     if (const auto change = stated_at(r, "patches/von_mises_change", *most))
       found.sentences.push_back(fmt::format(
           "Against a half-space the body changes that of von Mises by {:+.1f} %.", 100 * change->value));
-  found.next.emplace_back("Does the steel yield never, once or for ever? bem_contact shakedown STRESSES.h5");
+  found.next.push_back(
+      {"Does the steel yield never, once or for ever?", "bem_contact shakedown STRESSES.h5"});
   return found;
 }
 
@@ -369,8 +370,8 @@ Found of_study(const Record& r) {
   }
   if (failed > 0)
     found.next.push_back(question(r, "Is the scene what I mean?", "check"));
-  found.next.emplace_back(
-      "What does the scatter of the inputs do to these numbers? Add [uncertainty] to the scene.");
+  found.next.push_back(
+      {"What does the scatter of the inputs do to these numbers? Add [uncertainty] to the scene."});
   found.next.push_back(question(r, "What if I move something?", "explore"));
   return found;
 }

@@ -2,10 +2,12 @@
 
 #include "bem_contact/record/found.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <map>
 #include <nlohmann/json.hpp>
 
 namespace bem_contact::record {
@@ -100,12 +102,35 @@ void add_units(json& units, const std::string& group, const Record& record) {
 /// A text of a file that is no UTF-8 must not end the program.
 constexpr auto replacing = json::error_handler_t::replace;
 
-json described(const std::string& unit, const std::string& meaning, const std::vector<std::size_t>& shape,
-               std::span<const double> values) {
-  json numbers = json::array();
+json list_of(std::span<const double> values) {
+  json out = json::array();
   for (const double value : values)
-    numbers.push_back(number_json(value, false));
-  return {{"unit", unit}, {"description", meaning}, {"shape", shape}, {"values", std::move(numbers)}};
+    out.push_back(number_json(value, false));
+  return out;
+}
+
+/// `errors`: as many as values, or none.
+json described(const std::string& unit, const std::string& meaning, const std::vector<std::size_t>& shape,
+               std::span<const double> values, std::span<const double> errors = {}) {
+  json out{{"unit", unit}, {"description", meaning}, {"shape", shape}, {"values", list_of(values)}};
+  if (!errors.empty())
+    out["errors"] = list_of(errors);
+  return out;
+}
+
+/// Where files keep errors beside the values, under names of their own: each list of errors by the name of
+/// its values. Lists by their names: `numbers`.
+using Lists = std::map<std::string, std::span<const double>>;
+Lists errors_among(const Lists& numbers) {
+  Lists out;
+  for (const auto& [name, values] : numbers)
+    if (const auto found = numbers.find(error_name(name));
+        found != numbers.end() && found->second.size() == values.size())
+      out[name] = found->second;
+  return out;
+}
+bool is_error(const std::string& name, const Lists& errors) {
+  return std::ranges::any_of(errors, [&](const auto& one) { return error_name(one.first) == name; });
 }
 
 /// Adds what the group `path` holds to `out`.
@@ -115,8 +140,13 @@ public:
       : out_(&out), path_(std::move(path)), left_out_(&left_out) {}
 
   void add(const Record& record) {
+    Lists numbers;
     for (const Entry& entry : record.entries())
-      if (!(*left_out_)(path_ + entry.name)) {
+      if (const auto* field = std::get_if<Field>(&entry.content))
+        numbers[entry.name] = field->values;
+    errors_ = errors_among(numbers);
+    for (const Entry& entry : record.entries())
+      if (!(*left_out_)(path_ + entry.name) && !is_error(entry.name, errors_)) {
         name_ = entry.name;
         std::visit(*this, entry.content);
       }
@@ -125,10 +155,8 @@ public:
   void operator()(std::monostate) {}
   void operator()(bool flag) { (*out_)["attributes"][name_] = flag ? 1 : 0; }
   void operator()(const Number& number) {
-    (*out_)[name_] = described(number.unit, number.meaning, {}, std::span(&number.value, 1));
-    if (number.error)
-      add(error_name(name_), described(number.unit, error_meaning, {}, std::span(&*number.error, 1)),
-          Role::error);
+    const auto error = number.error ? std::span(&*number.error, 1) : std::span<const double>();
+    (*out_)[name_] = described(number.unit, number.meaning, {}, std::span(&number.value, 1), error);
   }
   void operator()(const Text& text) {
     if (text.meaning.empty())
@@ -141,15 +169,29 @@ public:
                       {"description", texts.meaning}};
   }
   void operator()(const Field& values) {
-    if (values.shape.size() <= 3)
-      add(name_, described(values.unit, values.meaning, values.shape, values.values), values.role,
-          values.choices);
+    if (values.shape.size() > 3)
+      return;
+    const auto errors = errors_.find(name_);
+    json& numbers = (*out_)[name_] =
+        described(values.unit, values.meaning, values.shape, values.values,
+                  errors == errors_.end() ? std::span<const double>() : errors->second);
+    if (values.role != Role::other)
+      numbers["role"] = name_of(values.role);
+    if (!values.choices.empty())
+      numbers["choices"] = values.choices;
   }
   void operator()(const Table& table) {
     json& columns = (*out_)[name_] = json::object();
+    Lists numbers;
     for (const Column& column : table.columns)
-      if (!(*left_out_)(path_ + name_ + "/" + column.name))
-        columns[column.name] = described(column.unit, column.meaning, {table.size()}, column.values);
+      numbers[column.name] = column.values;
+    const Lists errors = errors_among(numbers);
+    for (const Column& column : table.columns)
+      if (!(*left_out_)(path_ + name_ + "/" + column.name) && !is_error(column.name, errors)) {
+        const auto own = errors.find(column.name);
+        columns[column.name] = described(column.unit, column.meaning, {table.size()}, column.values,
+                                         own == errors.end() ? std::span<const double>() : own->second);
+      }
   }
   void operator()(const Record& record) {
     json& group = (*out_)[name_] = json::object();
@@ -157,16 +199,9 @@ public:
   }
 
 private:
-  void add(const std::string& name, json numbers, Role role, const std::vector<std::string>& choices = {}) {
-    if (role != Role::other)
-      numbers["role"] = name_of(role);
-    if (!choices.empty())
-      numbers["choices"] = choices;
-    (*out_)[name] = std::move(numbers);
-  }
-
   json* out_;
   std::string path_, name_;
+  Lists errors_; ///< of the fields of this group
   const std::function<bool(std::string_view)>* left_out_;
 };
 

@@ -15,8 +15,8 @@ namespace bem_contact::record {
 std::string to_json(const Record& record);
 
 /// For the page of the room report, in one line: a group is an object, and its short texts and its yes or no
-/// (1 or 0) are in "attributes"; a number, a column and a field are {unit, description, shape, values}; a
-/// text is {text, description}. `left_out(path)`: what no figure draws.
+/// (1 or 0) are in "attributes"; a number, a column and a field are {unit, description, shape, values}, with
+/// "errors" where they have some; a text is {text, description}. `left_out(path)`: what no figure draws.
 std::string to_described_json(const Record& record, const std::function<bool(std::string_view)>& left_out);
 
 } // namespace bem_contact::record

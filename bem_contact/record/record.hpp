@@ -39,8 +39,7 @@ enum class Role {
   other,
   swept,   ///< a key that a sweep varies
   carried, ///< a column that a sweep's table carries along
-  outcome, ///< how cases ended: record::Outcome, which the choices name
-  error    ///< how well another number is known
+  outcome  ///< how cases ended: record::Outcome, which the choices name
 };
 
 /// Several texts, such as warnings.
@@ -82,6 +81,12 @@ struct Table {
   std::size_t size() const { return columns.empty() ? 0 : columns.front().values.size(); } ///< rows
   const Column* column(std::string_view name) const;                                       ///< null: none
 };
+
+/// The same with the layout of what people count: patches, steps.
+inline Table as_rows(Table table) {
+  table.layout = Layout::rows;
+  return table;
+}
 
 struct Entry;
 
@@ -148,5 +153,5 @@ InputError unknown_path(const Record& record, std::string_view path, std::string
 } // namespace bem_contact::record
 
 template <> struct bem_contact::EnumNames<bem_contact::record::Role> {
-  static constexpr std::array<std::string_view, 5> names{"", "swept", "carried", "outcome", "error"};
+  static constexpr std::array<std::string_view, 4> names{"", "swept", "carried", "outcome"};
 };

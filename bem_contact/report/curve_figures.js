@@ -4,7 +4,8 @@ const FORCES = {
   Fs: {colour: ALONG_S, dash: "dash", mark: "square"},
   Fy: {colour: ALONG_S, dash: "dash", mark: "square"},
   Fz: {colour: INK, dash: "dot", mark: "diamond"},
-  Mz: {colour: INK, dash: "dashdot", mark: "diamond-open"}
+  Mz: {colour: INK, dash: "dashdot", mark: "diamond-open"},
+  pmax: {colour: PRESSURE[1][1], dash: "solid", mark: "circle"}
 };
 
 /// What a run's own contact model has, beside ours.
@@ -25,7 +26,7 @@ const creepFigure = (data, which) => {
     traces.push({type: "scatter", mode: "lines", x: spans, y: [y, y], name: "friction bound μ Fn", showlegend: y > 0,
                  line: {color: BOUND, width: 1.5, dash: "dot"}});
   ["Fx", "Fs"].forEach((force, row) => {
-    traces.push(lineOver(x, curve[force].values, `${force}, N`, FORCES[force], curve[`${force}_error`].values));
+    traces.push(lineOver(x, curve[force].values, `${force}, N`, FORCES[force], curve[force].errors));
     const slope = data.kalker?.values[3 * row + column];
     if (slope && row === (which === "xi" ? 0 : 1)) {
       // The other two creepages have their part of the force too, and the geometry makes some of its own.
@@ -39,7 +40,7 @@ const creepFigure = (data, which) => {
                      name: `${force} by linear theory`, line: {color: FORCES[force].colour, width: 1}});
     }
   });
-  traces.push({...lineOver(x, curve.Mz.values, "Mz, N mm (right)", FORCES.Mz, curve.Mz_error.values), yaxis: "y2"});
+  traces.push({...lineOver(x, curve.Mz.values, "Mz, N mm (right)", FORCES.Mz, curve.Mz.errors), yaxis: "y2"});
   if (data.measured?.attributes.creepage === which) {
     const {points, attributes: {force}} = data.measured;
     if (data.band) // of a fit
@@ -141,6 +142,71 @@ const patchesFigure = (data, key) => {
   };
 };
 
+/// Of a sweep along the track: each patch as the ellipse that it is, where it lies on the rail, from above.
+const passageFigure = data => {
+  const p = data.patches, places = data["position.along"].values, largest = Math.max(...p.pmax.values);
+  const turn = Array.from({length: 25}, (_, i) => 2 * Math.PI * i / 24);
+  const traces = p.case.values.map((index, k) => {
+    const [a, b, angle] = ["semi_axis_a", "semi_axis_b", "axis_angle"].map(name => p[name].values[k]);
+    const across = Math.cos(p.delta.values[k]), at = places[index] + p.x.values[k];
+    return {
+      type: "scatter",
+      mode: "lines",
+      x: turn.map(t => at + a * Math.cos(angle) * Math.cos(t) - b * Math.sin(angle) * Math.sin(t)),
+      y: turn.map(t => p.y.values[k] +
+          across * (a * Math.sin(angle) * Math.cos(t) + b * Math.cos(angle) * Math.sin(t))),
+      fill: "toself",
+      fillcolor: `rgba(59,124,196,${(0.12 + 0.88 * p.pmax.values[k] / largest).toFixed(3)})`,
+      line: {color: INK, width: 0.7},
+      customdata: turn.map(() => index),
+      text: `place ${number(places[index])} mm<br>Fn ${p.Fn.values[k].toPrecision(5)} N<br>pmax ${
+          p.pmax.values[k].toPrecision(5)} MPa`,
+      hovertemplate: "%{text}<extra></extra>"
+    };
+  });
+  return {
+    traces,
+    height: 330,
+    layout: {
+      xaxis: {title: "along the track, mm"},
+      yaxis: {title: `y to the ${sceneValue("position.side") || "right"}, mm`},
+      showlegend: false
+    }
+  };
+};
+
+/// The same from the side: the places of contact, and how the wheel's centre goes, which z counts down from its highest
+/// place.
+const passageSideFigure = data => {
+  const p = data.patches, places = data["position.along"].values, order = places.map((_, i) => i);
+  order.sort((a, b) => places[a] - places[b]);
+  const known = order.filter(i => Number.isFinite(data.vertical.values[i]));
+  const largest = Math.max(...p.Fn.values), highest = Math.min(...known.map(i => data.vertical.values[i]));
+  return {
+    traces: [
+      lineOver(known.map(i => places[i]), known.map(i => data.vertical.values[i] - highest),
+               "wheel's centre, from its highest place", {colour: WHEEL, dash: "solid", mark: "circle"}, undefined,
+               known),
+      {
+        type: "scatter",
+        mode: "markers",
+        x: p.case.values.map((i, k) => places[i] + p.x.values[k]),
+        y: p.z.values,
+        customdata: p.case.values,
+        name: "places of contact",
+        hovertemplate: "%{x:.1f} mm, z %{y:.3f} mm<extra></extra>",
+        marker: {color: RAIL, symbol: "diamond", size: p.Fn.values.map(f => 3 + 7 * Math.sqrt(f / largest))}
+      }
+    ],
+    height: 330,
+    layout: {
+      xaxis: {title: "along the track, mm"},
+      yaxis: {title: "z, down, mm", autorange: "reversed"},
+      legend: ABOVE
+    }
+  };
+};
+
 /// Columns of a sweep over one key. Only cases that have the same other keys are joined.
 const sweepFigure = (data, keys, key, names) => {
   const over = along(data, key), groups = new Map();
@@ -159,14 +225,14 @@ const sweepFigure = (data, keys, key, names) => {
     for (const name of names) {
       const of = ofEither(name); // of wheelsets: the colour of the number, dashed for the left wheel
       const known = name.endsWith("_of_run")
-        ? OF_RUN : FORCES[of] ?? {colour: of === "pmax" ? PRESSURE[1][1] : INK, dash: "solid", mark: "circle"};
+        ? OF_RUN : FORCES[of] ?? {colour: INK, dash: "solid", mark: "circle"};
       const style = of === name ? known : {...known, dash: name.startsWith("left_") ? "dash" : "solid"};
       const pick = column => cases.map(i => column.values[i]);
       const which = of === name ? name : `${name.split("_")[0]} wheel`;
       const label = [names.length > 1 ? which : "", same].filter(Boolean).join("; ") || name;
       traces.push(lineOver(pick(over), pick(data[name]), label,
                            groups.size > 1 ? {...style, mark: marks[count % marks.length]} : style,
-                           data[`${name}_error`] && pick(data[`${name}_error`]), cases));
+                           data[name].errors && pick({values: data[name].errors}), cases));
       traces.at(-1).mode = key === TIME ? "lines" : key ? "lines+markers" : "markers";
     }
     ++count;

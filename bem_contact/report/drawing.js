@@ -127,7 +127,7 @@ const csvOf = lines => lines
                                               const text = String(cell ?? "");
                                               return /^([\w .]*|-?[\d.]+(e[-+]?\d+)?)$/.test(text)
                                                   ? text
-                                                  : `"${/ ^[= +\- @] /.test(text) ? " " : ""}${
+                                                  : `"${/^[=+\-@]/.test(text) ? " " : ""}${
                                                         text.replaceAll('"', '""').replaceAll(/[\r\n]/g, " ")}"`;
                                             })
                                             .join(","))

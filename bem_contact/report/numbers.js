@@ -42,9 +42,17 @@ const shortName = name => name.split("/").pop();
 
 /// A number of a group; undefined where it has none.
 const valueOf = (group, name) => group?.[name]?.values?.[0];
-const errorOf = (group, name) => valueOf(group, `${name}_error`);
+const errorOf = (group, name) => group?.[name]?.errors?.[0];
+/// "2630 ± 32" of an entry of a column.
+const entryText = (column, i) => number(column.values[i], column.errors?.[i]);
 /// "2630 ± 32" of a group's number.
 const valueText = (group, name) => number(valueOf(group, name), errorOf(group, name));
+
+/// [name, numbers] of an entry, and of its errors as files have them.
+const withErrors = ([name, one]) => {
+  const description = "estimated error by the size of the elements";
+  return one.errors ? [[name, one], [`${name}_error`, {...one, values: one.errors, description}]] : [[name, one]];
+};
 
 /// What each kind of answer shows: its prominent numbers, columns of tables, figures (record/words.json).
 const VIEWS = SHARED.views;

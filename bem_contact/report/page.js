@@ -83,8 +83,8 @@ const addNext = next => {
   const block = add("div", "", into, {id: `${idPrefix}next`});
   add("h2", "What next?", block);
   const list = add("ul", "", block);
-  for (const text of next) {
-    const [asks, command] = text.split(/(?=bem_contact )/), line = add("li", asks, list);
+  for (const {attributes: {asks, command}} of next) {
+    const line = add("li", command ? `${asks} ` : asks, list);
     if (command)
       add("code", command, line);
   }
@@ -105,7 +105,7 @@ const addFirst = ({found, next}, warnings, picture) => {
 };
 
 const textsOf = (group, name) => group[name]?.text ? linesOf(group[name]).filter(Boolean) : [];
-const foundIn = group => ({found: textsOf(group, "found"), next: textsOf(group, "next")});
+const foundIn = group => ({found: textsOf(group, "found"), next: Object.values(group.next ?? {})});
 
 /// Figures and numbers of an answer, below what stands first.
 const addRest = (answer, where = "") => {

@@ -2,6 +2,9 @@
 const whole = JSON.parse(document.getElementById("data").textContent);
 const {kind, file} = whole.attributes;
 let data = whole.data; // of a study: that of the part which is added
+data.scene_values = whole.scene_values;
+for (const [name, part] of Object.entries(whole.parts ?? {}))
+  data.parts[name].scene_values = part.scene_values;
 const stepsOf = ([step, {rail, wheel}]) => ({step: Number(step), rail: rows(rail), wheel: rows(wheel)});
 const report = {kind, file, steps: Object.entries(whole.steps ?? {}).map(stepsOf)};
 if (data.profiles)
@@ -167,7 +170,6 @@ const addTrackTable = () => {
   addTable(
       "On the track, y to the right for both", ["", "left", "right", "sum", "unit", ""],
       Object.keys(track("right"))
-          .filter(name => !name.endsWith("_error"))
           .map(
               name =>
                   [words(name), cell("left", name), cell("right", name), number(sum(name)),

@@ -137,7 +137,7 @@ const MESH = {
 
 /// Tables of numbers that the file has, as [name, lines of cells]: single numbers of a group, or columns of one length.
 const tablesIn = (group, name = "") => {
-  const entries = Object.entries(group).filter(([key]) => key !== "attributes"), out = [];
+  const entries = Object.entries(group).filter(([key]) => key !== "attributes").flatMap(withErrors), out = [];
   const alone = entries.filter(([, one]) => one.values?.length === 1 && one.unit !== undefined);
   const columns = entries.filter(([, one]) => one.values?.length > 1 && one.shape?.length === 1);
   if (alone.length)

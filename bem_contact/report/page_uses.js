@@ -6,7 +6,7 @@ const addColumns = (table, names, caption, id, more = {}) => {
       caption, there.map(name => withUnit(name.replaceAll("_", " "), table[name])),
       table[there[0]].values.map(
           (_, i) =>
-              there.map(name => more[name]?.(i) ?? number(table[name].values[i], table[`${name}_error`]?.values[i]))),
+              there.map(name => more[name]?.(i) ?? entryText(table[name], i))),
       {id, wide: there.length > 6});
 };
 
@@ -28,6 +28,14 @@ const addCaseView = () => {
         frame = add("div", "", block, {id: `${idPrefix}case-patch`});
   add("div", "", frame, {className: "drawing"});
   const line = add("p", "A click on a mark shows the patch of its case here.", block, {className: "caption"});
+  const shown = Object.keys(cases).map(Number);
+  if (alongTrack() && shown.length > 1) { // a film of the passage
+    const film = add("input", "", block, {
+      type: "range", id: `${idPrefix}film`, min: 0, max: shown.length - 1, value: 0, ariaLabel: "place of the patch"
+    });
+    film.addEventListener("input", () => showCase?.(shown[Number(film.value)]));
+    line.textContent = "Move the slider, or click on a mark: the patch of that place is shown here.";
+  }
   return async index => {
     if (!cases[index])
       return void (line.textContent = `Case ${index} has no patch.`);
@@ -38,7 +46,7 @@ const addCaseView = () => {
                 key => `${words(key)} ${keyText(own[key], index)} ${unitText(own[key].unit.replace(/^1$/, ""))}`.trim())
             .join(", ");
     line.textContent = `Case ${index}: ${where}; ${titleOf(contact.name).toLowerCase()}, largest pressure ` +
-        `${number(own.pmax?.values[index], own.pmax_error?.values[index])} MPa.` +
+        `${own.pmax ? entryText(own.pmax, index) : number()} MPa.` +
         (figure ? "" : " Nothing is in contact.");
     frame.className = figure ? "figure" : "";
     frame.hidden = !figure;
@@ -67,6 +75,16 @@ const sweepFigures = () => {
           "darker ones larger pressures.",
       {...patchesFigure(data, key), click}
     ]);
+  if (out.length && alongTrack() && key === "position.along") {
+    out.push(["passage-above",
+              "The passage from above: each patch as an ellipse of its size, where it lies along the track. " +
+                  "The darker, the larger its pressure.",
+              {...passageFigure(data), click}, "wide"]);
+    out.push(["passage-side",
+              "The passage from the side: how the wheel's centre sinks and rises, and where it stands; " +
+                  "larger marks carry larger normal forces.",
+              {...passageSideFigure(data), click}, "wide"]);
+  }
   for (const names of sweepViews()
            .figures.filter(([name]) => key !== `position.${name}`)
            .map(names => isReplay() ? names.filter(name => name in data) : names.flatMap(ofWheels)))
@@ -89,8 +107,7 @@ const SWEEP = {
   tables: () => {
     const keys = isReplay() ? [TIME].filter(name => name in data) : variedKeys();
     const columns = sweepViews().columns.flatMap(ofWheels).filter(name => name in data);
-    const cell = (name, i) => inDegrees(
-        number(data[name].values[i], data[`${name}_error`]?.values[i]), data[name].values[i], data[name].unit);
+    const cell = (name, i) => inDegrees(entryText(data[name], i), data[name].values[i], data[name].unit);
     addTable(
         "All cases",
         [
@@ -132,7 +149,7 @@ const addMeasured = (measured, id = "measured") => {
           .map(
               (at, i) =>
                   [number(at), number(column("measured")[i]), ...scatter.map(() => number(column("scatter")[i])),
-                   number(column("computed")[i], column("computed_error")[i]), number(column("difference")[i]),
+                   entryText(points.computed, i), number(column("difference")[i]),
                    share(i)]),
       {numbers: [0, 1, 2, 3, 4, 5], id});
 };
@@ -177,9 +194,7 @@ const CREEP_CURVES = {
             caption, ["", "d/dxi", "d/deta", "d/dphi"],
             ["Fx", "Fs", "Mz"].map(
                 (force, row) =>
-                    [force,
-                     ...[0, 1, 2].map(
-                         k => number(data[name].values[3 * row + k], data[`${name}_error`]?.values[3 * row + k]))]),
+                    [force, ...[0, 1, 2].map(k => entryText(data[name], 3 * row + k))]),
             {numbers: [1, 2, 3], id: name});
     matrix("slopes", "Slopes where nothing moves over the other (N; Mz: N mm; by phi: times mm)");
     matrix("kalker", "The same by Kalker's linear theory, for the nearest ellipse");
@@ -334,7 +349,7 @@ const STRESSES = {
   picture: () => mapsOfStresses().slice(0, 1).map(stressMap)[0],
   large: () => {
     const p = data.patches, change = p.von_mises_change.values[0];
-    const text = (name, unit) => `${number(p[name].values[0], p[`${name}_error`]?.values[0])} ${unit}`;
+    const text = (name, unit) => `${valueText(p, name)} ${unit}`;
     addLarge([
       ["von_mises", words("von_mises"), text("von_mises", "MPa")],
       ["depth", "its depth", text("von_mises_depth", "mm")],

@@ -7,7 +7,9 @@
 #include "bem_contact/record/found.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/json.hpp"
+#include "bem_contact/record/words.hpp"
 #include "bem_contact/report/mesh_file.hpp"
+#include "bem_contact/report/scene_values.hpp"
 #include "bem_contact/report/settings.hpp"
 
 #include <algorithm>
@@ -21,7 +23,7 @@
 // embedded.S; each ends with a NUL. The scripts are joined by the build (CMakeLists.txt).
 extern "C" {
 extern const char report_page_html[], report_page_css[], report_shared_js[], report_page_js[],
-    report_words_json[], report_plotting_library_txt[];
+    report_plotting_library_txt[];
 }
 
 namespace bem_contact::report {
@@ -136,19 +138,25 @@ void require_library() {
                      "Run tools/install_packages contact-only, configure again (cmake --fresh) and build.");
 }
 
-Record said_of(const record::Found& found) {
+Record said_of(const Record& answer) {
+  const record::Found found = record::found_in(answer);
+  Record next;
+  for (const record::NextQuestion& one : found.next)
+    next.add(fmt::format("{}", next.entries().size()),
+             Record{{"asks", record::Text{one.asks}}, {"command", record::Text{one.command}}});
   return {{"found", record::Texts{found.sentences, "what was found"}},
-          {"next", record::Texts{found.next, "what may be asked next"}}};
+          {"next", std::move(next)},
+          {"scene_values", scene_values(record::text_at(answer, "scene_with_defaults").value_or(""))}};
 }
 
-/// With what was found, of a study in each part too.
+/// With what was found and asked, of a study in each part too.
 Record with_words(Record page) {
   const Record& data = std::get<Record>(*record::find(page, "data"));
-  Record parts, out = said_of(record::found_in(data));
+  Record parts, out = said_of(data);
   if (const auto* all = record::find(data, "parts"); all && std::holds_alternative<Record>(*all))
     for (const auto& [name, one] : std::get<Record>(*all).entries())
       if (const auto* part = std::get_if<Record>(&one))
-        parts.add(name, said_of(record::found_in(*part)));
+        parts.add(name, said_of(*part));
   out.add("parts", std::move(parts));
   return std::move(out.append(std::move(page)));
 }
@@ -171,7 +179,7 @@ std::string page_with_figures(const PageParts& parts, std::string data) {
   replace_all(data, "<!--", "<\\u0021--");
   std::string page(parts.html);
   std::string script = "const SHARED = "; // words, which pictures have too
-  script.append(report_words_json).append(";\n").append(report_shared_js).append(parts.script);
+  script.append(record_words_json).append(";\n").append(report_shared_js).append(parts.script);
   const std::array<std::pair<std::string_view, std::string_view>, 4> places{
       {{"@STYLE@", parts.style},
        {"@SCRIPT@", script},

@@ -1,12 +1,6 @@
 // The question in words. It needs no library.
-/// A value of the scene with all defaults; "" if it has none.
-const sceneValue = key => {
-  const [table, name] = key.split(".");
-  const lines = (data.scene_with_defaults?.text ?? "").split("\n");
-  const from = lines.findIndex(line => line.trim() === `[${table}]`);
-  const found = lines.slice(from + 1).find(line => line.trim().split(/\s*=/)[0] === name);
-  return found === undefined ? "" : found.split("=")[1].split("#")[0].trim().replaceAll('"', "");
-};
+/// A value of the scene with all defaults, as a text; "" if it has none.
+const sceneValue = key => data.scene_values?.attributes?.[key] ?? "";
 
 /// Radius of the wheel at the contact; undefined where there is no wheel.
 const radiusOf = contact => {

@@ -89,7 +89,7 @@ const addQuantities = (contacts, caption, id, parent = into) => {
   addTable(caption, head, shown.filter(isKnown).map(line), {parent, id, ...looks});
   const rest = add("details", "", parent);
   add("summary", "all other numbers", rest);
-  const unranked = Object.keys(first).filter(name => !name.endsWith("_error") && !shown.includes(name));
+  const unranked = Object.keys(first).filter(name => !shown.includes(name));
   addTable("", head, unranked.map(line), {parent: rest, ...looks});
 };
 
@@ -99,7 +99,7 @@ const addPatches = (contact, parent = into) => {
     return;
   const places = p.Fn.values.map((_, k) => k);
   const cell = (name, k) =>
-    inDegrees(number(p[name].values[k], p[`${name}_error`]?.values[k]), p[name].values[k], p[name].unit);
+    inDegrees(entryText(p[name], k), p[name].values[k], p[name].unit);
   addTable("Patches, the largest force first", ["", ...places.map(k => `patch ${k + 1}`), "unit", ""],
            ranked(p, "patch", "main").map(name =>
              [words(name), ...places.map(k => cell(name, k)), unitText(p[name].unit), p[name].description]),

@@ -11,7 +11,7 @@
 #include <fmt/ranges.h>
 #include <iterator>
 #include <optional>
-#include <ranges>
+#include <span>
 
 namespace bem_contact {
 
@@ -123,7 +123,7 @@ CaseTable read_case_table(const std::filesystem::path& file,
            "Name keys in its first line: position.lateral,load.force,motion.friction,weight.");
   if (lines.size() == 1)
     refuse("it has no line below the names", "Give one line a case.");
-  for (const CsvLine& line : lines | std::views::drop(1))
+  for (const CsvLine& line : std::span(lines).subspan(1))
     add_case(file, head, line, table);
   for (CaseTable::Column& column : table.columns)
     if (column.is_note())

@@ -19,6 +19,7 @@ constexpr std::string_view of_compare[] = {"models", "strict", "threads"},
                            of_creep_curves[] = {"eta", "jobs", "model", "phi", "strict", "xi"},
                            of_fatigue[] = {"damage", "nodes", "wear_is_negative", "yield_shear"},
                            of_fit[] = {"measured", "model", "parameters", "strict"},
+                           of_passage[] = {"columns", "count", "from", "path", "step", "to"},
                            of_replay[] = {"columns", "compare",   "jobs",  "model",
                                           "strict",  "tolerance", "wheel", "wheels"},
                            of_shakedown[] = {"body",     "crossland",      "dang_van", "fatigue_limit",
@@ -32,10 +33,16 @@ struct OptionTable {
   std::string_view name;
   std::span<const std::string_view> keys;
 };
-constexpr OptionTable option_tables[] = {
-    {"compare", of_compare},     {"conicity", of_conicity}, {"creep_curves", of_creep_curves},
-    {"fatigue", of_fatigue},     {"fit", of_fit},           {"replay", of_replay},
-    {"shakedown", of_shakedown}, {"table", of_table},       {"wear", of_wear}};
+constexpr OptionTable option_tables[] = {{"compare", of_compare},
+                                         {"conicity", of_conicity},
+                                         {"creep_curves", of_creep_curves},
+                                         {"fatigue", of_fatigue},
+                                         {"fit", of_fit},
+                                         {"passage", of_passage},
+                                         {"replay", of_replay},
+                                         {"shakedown", of_shakedown},
+                                         {"table", of_table},
+                                         {"wear", of_wear}};
 
 void require_known(const std::string& table, const std::string& key, const std::string& where) {
   std::vector<std::string> names = keys_of_table(table);

@@ -14,7 +14,7 @@ namespace bem_contact {
 /// table [wear] is one of a scene (the wear map) and of a command.
 inline constexpr std::string_view command_tables[] = {"sweep",     "table",     "creep_curves", "conicity",
                                                       "fatigue",   "shakedown", "compare",      "uncertainty",
-                                                      "influence", "replay",    "fit"};
+                                                      "influence", "replay",    "fit",          "passage"};
 
 /// Keys of such a table, or of [wear], that are options of the command of its name; none of a table that has
 /// none, or is read elsewhere. Lists of [table] are axes.

@@ -216,7 +216,7 @@ RigidSlip ContactSetup::rigid_slip(const MotionStep& step, const std::vector<Con
 ContactSetup set_up_contact(const SceneFile& scene, const WheelRailProfiles& profiles) {
   if (scene.load.approach)
     require_small_approach(*scene.load.approach);
-  LoweredWheel bodies(place(scene.position, profiles.rail, profiles.wheel, profiles.surface));
+  LoweredWheel bodies{placed_bodies(scene, profiles, scene.position)};
   const double lowered = bodies.drop(), upright = bodies.pair.upright();
   ContactLoad load = load_of(scene, scene.position.vertical ? *scene.position.vertical - lowered
                                                             : scene.load.approach.value_or(0));
@@ -238,7 +238,7 @@ bool gives_way(const StructuralPlacement& by) {
 
 ContactSetup moved(const SceneFile& scene, const ContactSetup& setup, StructuralPlacement by) {
   const WheelRailGeometry& before = *setup.wheel_rail();
-  LoweredWheel bodies(moved(before.pair, by));
+  LoweredWheel bodies{moved(before.pair, by)};
   by.lowered = bodies.drop();
   ContactLoad load = setup.load;
   load.approach -= load.kind == LoadKind::approach ? by.lowered : 0.0;

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <limits>
-#include <ranges>
+#include <span>
 #include <sstream>
 
 namespace bem_contact {
@@ -119,7 +119,7 @@ std::vector<std::vector<double>> read_csv(const std::filesystem::path& file,
                      fmt::format("its first line is '{}'", fmt::join(texts_of(lines.front()), ", ")),
                      fmt::format("Begin it with '{}'.", header));
   std::vector<std::vector<double>> rows;
-  for (const CsvLine& line : lines | std::views::drop(1)) {
+  for (const CsvLine& line : std::span(lines).subspan(std::min<std::size_t>(1, lines.size()))) {
     require_cells(file, line, columns.size());
     std::vector<double> row;
     for (const CsvCell& cell : line.cells) {

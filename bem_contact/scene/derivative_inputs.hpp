@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bem_contact {
@@ -28,5 +29,10 @@ std::vector<std::string> derivative_names();
 /// The numbers that the scene names, each once, in the order of derivative_names(). "all" stands for those
 /// that most scenes have, as far as this one gives them. Throws InputError for one that it does not give.
 std::vector<SceneNumber> derivative_inputs(SceneFile& scene);
+
+/// Names of derivatives with respect to all points of a profile.
+inline constexpr std::string_view rail_profile_input = "rail_profile", wheel_profile_input = "wheel_profile";
+/// Those that the scene names.
+std::vector<std::string> profile_inputs(const SceneFile& scene);
 
 } // namespace bem_contact

@@ -3,6 +3,7 @@
 #include "bem_contact/profile/read_profile.hpp"
 
 #include <fmt/format.h>
+#include <utility>
 
 namespace bem_contact {
 
@@ -13,11 +14,12 @@ std::vector<NamedFile> directly_named(const SceneFile& scene) {
       files.push_back(
           {key, name, names_profile(key) ? profile_file_name(name, scene.folder).file : scene.folder / name});
   };
-  if (scene.rail.sections.empty())
-    add("rail.profile", scene.rail.profile);
-  for (std::size_t i = 0; i < scene.rail.sections.size(); ++i)
-    add(fmt::format("rail.sections[{}].profile", i).c_str(), scene.rail.sections[i].profile);
-  add("wheel.profile", scene.wheel.profile);
+  for (const auto& [name, side] : {std::pair{"rail", &scene.rail}, {"wheel", &scene.wheel}}) {
+    if (side->sections.empty())
+      add(fmt::format("{}.profile", name).c_str(), side->profile);
+    for (std::size_t i = 0; i < side->sections.size(); ++i)
+      add(fmt::format("{}.sections[{}].profile", name, i).c_str(), side->sections[i].profile);
+  }
   add("left_rail.profile", scene.wheelset.left_rail.profile);
   add("left_wheel.profile", scene.wheelset.left_wheel.profile);
   add("left_rail.influence", scene.wheelset.left_rail.influence);

@@ -30,8 +30,9 @@ void add_side(Schema& s, const std::string& name, const std::string& role, Scene
           "z = 0, "
           "the top of the rail; 0: a straight rail",
           {.unit = "mm", .at_least = 0, .kinds = wheel_rail_alone, .zero_is_none = true});
+  add_sections(s, side, name);
   if (name == "rail")
-    add_rail_sections(s, side);
+    add_bodies(s, side);
   t.add("influence", side.influence, "Influence file (HDF5); empty where only half-space numbers are used");
   t.add("structural", side.structural, "Deflection of the body as a whole (web and foot, or hub)");
   add_material(s, name + ".material", side.material, young);

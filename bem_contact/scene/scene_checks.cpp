@@ -97,8 +97,9 @@ void check_load(const SceneFile& f, const Schema& s) {
                                  : "Give exactly one of load.force and load.approach.");
   if (given == 0)
     s.refuse("load", "neither force nor approach is given",
-             s.has("sweep")   ? "Give load.force or load.approach; a scene whose table [sweep] does is for "
-                                "bem_contact sweep."
+             s.has("sweep") || s.has("passage")
+                 ? "Give load.force or load.approach; a scene whose table [sweep] does is for "
+                   "bem_contact sweep."
              : s.has("table") ? "Give load.force or load.approach; a scene whose table [table] does is for "
                                 "bem_contact table."
                               : "Give load.force or load.approach.");
@@ -230,7 +231,7 @@ void check_wheel_rail(const SceneFile& f, const Schema& s) {
   if (f.rail.profile.empty() && f.rail.sections.empty())
     s.refuse("rail.profile", "a wheel on a rail needs the rail's profile",
              "Give for instance profile = \"60E1\".");
-  if (f.wheel.profile.empty())
+  if (f.wheel.profile.empty() && f.wheel.sections.empty())
     s.refuse("wheel.profile", "a wheel on a rail needs the wheel's profile",
              "Give for instance profile = \"S1002\".");
   const bool by_gauge = f.rail.place == BodyPlace::gauge && f.wheel.place == BodyPlace::gauge;

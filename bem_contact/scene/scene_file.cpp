@@ -91,13 +91,14 @@ SceneFile SceneReader::scene() const {
         command_tables, [&](std::string_view other) { return other != table && state_->schema.has(other); });
   };
   if (changes_.empty()) // a case of a sweep has changes
-    for (const char* table : {"sweep", "table"})
+    for (const auto& [table, command] :
+         {std::pair{"sweep", "sweep"}, {"passage", "sweep"}, {"table", "table"}})
       if (state_->schema.has(table) && !beside(table))
         file.unused.push_back(
             {WarningKind::without_effect,
-             fmt::format("[{0}]: one case is solved here, that of the other keys; bem_contact {0} "
+             fmt::format("[{}]: one case is solved here, that of the other keys; bem_contact {} "
                          "solves all, and bem_contact study both",
-                         table),
+                         table, command),
              table});
   return file;
 }
@@ -148,6 +149,8 @@ SceneFile one_wheel(SceneFile scene, WheelSide side) {
        {std::pair(&scene.rail, &given.left_rail), {&scene.wheel, &given.left_wheel}})
     if (!left->profile.empty()) {
       body->profile = left->profile;
+      body->sections.clear();
+      body->bodies.clear();
       body->reading = left->reading;
       body->influence = left->influence;
     }
@@ -183,7 +186,7 @@ std::vector<NamedFile> files_of_key(const std::string& key, const std::string& n
   const std::filesystem::path file = files.front().file;
   if (names_slices(name) && is_regular(file)) {
     try {
-      for (const Slice& slice : read_slices(file))
+      for (const Slice& slice : read_slices(file).slices)
         files.push_back({fmt::format("{}.sections[{}].profile", key, files.size() - 1),
                          slice.profile.string(), slice.profile});
     } catch (const InputError&) { // whoever uses the sections says what is wrong with them
@@ -243,28 +246,6 @@ std::vector<std::string> keys_of_table(std::string_view table) {
   return scene_schema(file, read).keys_of(table);
 }
 
-namespace {
-
-/// rail.profile is the first of the sections then: they stand in its place, at the end.
-std::string with_sections(std::string text, const SceneFile& scene) {
-  if (scene.rail.sections.empty())
-    return text;
-  text.insert(text.find("\nprofile = ") + 1, "# ");
-  for (const SceneFile::Section& section : scene.rail.sections) {
-    text +=
-        fmt::format("\n[[rail.sections]]\nat = {}\nprofile = {}\n", section.at, toml_text(section.profile));
-    for (const auto& [name, numbers] :
-         {std::pair{"features", &section.features}, {"without", &section.without}})
-      if (!numbers->empty())
-        text += fmt::format("{} = [{}]\n", name, fmt::join(*numbers, ", "));
-    if (section.kink)
-      text += "kink = true\n";
-  }
-  return text;
-}
-
-} // namespace
-
 std::string scene_with_defaults(const SceneFile& scene) {
   SceneFile file = example_scene();
   SceneKeysAsRead read;
@@ -276,7 +257,10 @@ std::string scene_with_defaults(const SceneFile& scene) {
     read.s_from = scene.grid.rows->from;
     read.s_to = scene.grid.rows->to;
   }
-  return with_sections(schema.print(), scene);
+  for (SceneFile::Side* side : {&file.rail, &file.wheel})
+    if (!side->sections.empty()) // the first of them is its profile
+      side->profile.clear();
+  return schema.print();
 }
 
 } // namespace bem_contact

@@ -45,15 +45,27 @@ struct SceneFile {
   /// they are not asked for.
   std::vector<std::string> derivatives;
 
-  /// [[rail.sections]]: the section of a rail that changes along the track, at one place
+  /// [[rail.sections]]: the section of a rail that changes along the track, at one place; [[wheel.sections]]:
+  /// of a wheel that changes round its axle, at one angle
   struct Section {
-    double at = 0;                ///< place along the track, as position.along, mm
+    double at = 0; ///< place along the track, as position.along, mm; angle on the wheel, as flat.angle, rad
     std::string profile;          ///< standard name or file
     std::vector<double> features; ///< arc lengths of the feature lines that it has, mm (BodySection)
     std::vector<double> without;  ///< numbers of those that it does not have, from 1
     bool kink = false;            ///< the slope along the track may jump here
+    /// Of several rails beside each other, the name of the one that it belongs to; "": there is one.
+    std::string body = {};
 
     bool operator==(const Section&) const = default;
+  };
+
+  /// [[rail.bodies]]: one of several rails beside each other on this side of the track
+  struct Body {
+    std::string name;                     ///< as its sections have it
+    double lowered = 0;                   ///< it lies lower than its sections by this, mm
+    std::optional<double> stiffness = {}; ///< vertical, of what it lies on, N/mm; empty: rigid
+
+    bool operator==(const Body&) const = default;
   };
 
   /// [rail], [wheel]
@@ -66,8 +78,12 @@ struct SceneFile {
     WheelFlat flat = {};                      ///< [wheel.flat]
     WheelPolygon polygon = {};                ///< [wheel.polygon]
     RailJoint joint = {};                     ///< [rail.joint]
-    std::vector<Section> sections = {};       ///< [[rail.sections]]; none: it is the same along the track
-    Material material;                        ///< [rail.material], [wheel.material]
+    std::vector<Section> sections = {}; ///< [[rail.sections]], [[wheel.sections]]; none: it has one profile
+    std::vector<Body> bodies = {};      ///< [[rail.bodies]]
+    double sections_angle = 0;          ///< wheel: where angle 0 of its sections is at first, rad
+    /// Whether it is given by its sections: these, or a slices file.
+    bool has_sections() const { return !sections.empty() || names_slices(profile); }
+    Material material; ///< [rail.material], [wheel.material]
     std::optional<double> limit_pressure =
         {};                 ///< [rail.material]: p_n is no larger, MPa; empty: that of `steel`
     std::string steel = {}; ///< [rail.material]: its name (steels.hpp); empty: not given
@@ -86,10 +102,10 @@ struct SceneFile {
 
     bool operator==(const Position&) const = default;
   } position; ///< [position]
-  /// Whether the rail is given by its sections: [[rail.sections]], or a slices file.
-  bool has_sections() const { return !rail.sections.empty() || names_slices(rail.profile); }
   /// Whether wheel or rail are another at each place along the track.
-  bool changes_along() const { return position.uneven.given() || has_sections(); }
+  bool changes_along() const {
+    return position.uneven.given() || rail.has_sections() || wheel.has_sections();
+  }
 
   /// [track], wheel_rail: the curve that the wheelset runs through
   struct Track {

@@ -217,10 +217,12 @@ void settle(SceneFile& f, const Schema& s, const SceneKeysAsRead& read) {
   apply_state(f, s);
   set_network(f, s);
   f.wheel.reading.tape_circle = f.position.tape_circle;
-  if (!f.rail.sections.empty())
-    f.rail.profile = f.rail.sections.front().profile;
-  if (f.has_sections()) // which all have the same origin
-    f.rail.reading.keep_origin = true;
+  for (SceneFile::Side* side : {&f.rail, &f.wheel}) {
+    if (!side->sections.empty())
+      side->profile = side->sections.front().profile;
+    if (side->has_sections()) // which all have the same origin
+      side->reading.keep_origin = true;
+  }
   for (SceneFile::Side* side : {&f.rail, &f.wheel})
     if (side->place == BodyPlace::absolute) {
       side->reading.keep_origin = true;
@@ -232,6 +234,7 @@ void settle(SceneFile& f, const Schema& s, const SceneKeysAsRead& read) {
   f.position.uneven.flat = f.wheel.flat;
   f.position.uneven.polygon = f.wheel.polygon;
   f.position.uneven.joint = f.rail.joint;
+  f.position.uneven.sections_angle = f.wheel.sections_angle;
   if (read.s_from != 0 || read.s_to != 0)
     f.grid.rows = {read.s_from, read.s_to};
 }

@@ -45,7 +45,9 @@ void add_side(Schema& s, const std::string& name, const std::string& role, Scene
               const std::string& standards, double& young);
 void add_wheel_unevenness(Schema& s, SceneFile::Side& wheel); ///< [wheel.flat], [wheel.polygon]
 void add_rail_joint(Schema& s, RailJoint& joint);             ///< [rail.joint]
-void add_rail_sections(Schema& s, SceneFile::Side& rail);     ///< [[rail.sections]]
+void add_bodies(Schema& s, SceneFile::Side& rail);            ///< [[rail.bodies]]
+/// [[rail.sections]], [[wheel.sections]]
+void add_sections(Schema& s, SceneFile::Side& side, const std::string& name);
 /// Throws InputError for a layer ([layer]) that contradicts itself or other keys.
 void check_layer(const SceneFile& file, const Schema& schema);
 /// Throws InputError for unevenness that contradicts itself or other keys.

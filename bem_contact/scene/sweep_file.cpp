@@ -6,7 +6,9 @@
 #include "bem_contact/base/toml.hpp"
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/scene/case_table.hpp"
+#include "bem_contact/scene/passage.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
+#include "bem_contact/scene/value_range.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,15 +24,8 @@ namespace bem_contact {
 
 namespace {
 
-/// More is a typing error: the records of the cases alone would need gigabytes.
-constexpr std::size_t most_cases = 10'000'000;
 /// Cases. More keep no fields unless the scene asks for them: of so many they are 0.2 GB. Chosen.
 constexpr std::size_t most_with_fields = 1000;
-/// 6.3, not 6.300000000000001.
-double rounded(double value) {
-  return number_of_text(fmt::format("{:.12g}", value)).value_or(value);
-}
-
 struct Reader {
   SweepFile& sweep;
   std::string_view section; ///< "sweep", "sweep.together", or "table", which has axes and options of
@@ -181,6 +176,11 @@ struct Reader {
     table_line = line;
   }
 
+  std::vector<SchemaValue> range(const toml::table& ends, const std::string& key, int line) const {
+    return values_of_range(ends, fmt::format("{}.{}", section, key),
+                           fmt::format("{}:{}: ", sweep.text.source, line));
+  }
+
   std::vector<SchemaValue> values(const toml::array& list, const std::string& key, int line) const {
     std::vector<SchemaValue> out;
     for (const toml::node& node : list) {
@@ -195,43 +195,6 @@ struct Reader {
     }
     if (out.empty())
       refuse(line, fmt::format("{}.{} is empty", section, key), "there is nothing to solve", "Give values.");
-    return out;
-  }
-
-  std::vector<SchemaValue> range(const toml::table& t, const std::string& key, int line) const {
-    const std::string example = "Give { from = a, to = b, step = c } or { from = a, to = b, count = n }.";
-    for (const auto& [name, node] : t)
-      if (name != "from" && name != "to" && name != "step" && name != "count")
-        refuse(line, fmt::format("unknown key '{}' in the range of {}.{}", name.str(), section, key),
-               "a range has from, to and step or count", example);
-    const auto from = t["from"].value<double>(), to = t["to"].value<double>();
-    const auto step = t["step"].value<double>();
-    const auto count = t["count"].value<std::int64_t>();
-    if (!from || !to || (step.has_value() == count.has_value()) || (t.contains("count") && !count) ||
-        !std::isfinite(*from) || !std::isfinite(*to))
-      refuse(line, fmt::format("the range of {}.{} is not complete", section, key),
-             "it needs finite numbers from, to and one of step and count", example);
-    if (step && (!std::isfinite(*step) || *step == 0 || (*to - *from) / *step < 0 ||
-                 (*to - *from) / *step > double(most_cases)))
-      refuse(line, fmt::format("the range of {}.{} never ends", section, key),
-             fmt::format("a step of {} does not lead from {} to {}", *step, *from, *to), "Correct the step.");
-    if (count && (*count < 1 || *count > std::int64_t(most_cases) || (*count == 1 && *from != *to)))
-      refuse(
-          line,
-          fmt::format("the range of {}.{} cannot have {}", section, key, counted(*count, "value", "values")),
-          fmt::format("at least 2 and at most {} lie between two ends", most_cases), "Correct the count.");
-    const bool whole = t["from"].is_integer() && t["step"].is_integer();
-    // `to` belongs to the range if a step hits it up to rounding.
-    const std::int64_t n =
-        count ? *count : static_cast<std::int64_t>(std::floor((*to - *from) / *step + 1e-9)) + 1;
-    std::vector<SchemaValue> out;
-    for (std::int64_t i = 0; i < n; ++i)
-      if (whole)
-        out.emplace_back(*t["from"].value<std::int64_t>() + i * *t["step"].value<std::int64_t>());
-      else if (count)
-        out.emplace_back(i + 1 == n ? *to : rounded(*from + (*to - *from) * double(i) / double(n - 1)));
-      else
-        out.emplace_back(rounded(*from + double(i) * *step));
     return out;
   }
 };
@@ -314,7 +277,8 @@ std::string SweepFile::describe(std::size_t index) const {
 
 bool has_sweep(const SceneText& given, std::string_view section) {
   try {
-    return parse_toml(given.toml).contains(section);
+    const toml::table root = parse_toml(given.toml);
+    return root.contains(section) || (section == "sweep" && root.contains("passage"));
   } catch (const toml::parse_error&) { // whoever reads the scene says what is wrong
     return false;
   }
@@ -377,6 +341,10 @@ SweepFile parse_sweep_file(SceneText given, std::string_view section) {
     reader.table(*table, "");
     reader.finish(table->contains("mode"));
   }
+  if (const auto passage = root.find("passage"); section == "sweep" && passage != root.end())
+    std::ranges::move(
+        axes_of_passage(passage->second, static_cast<int>(passage->first.source().begin.line), sweep),
+        std::back_inserter(sweep.axes));
   require_cases(sweep, reader.together, section);
   sweep.axes.insert(sweep.axes.begin(), reader.together.begin(), reader.together.end());
   return sweep;

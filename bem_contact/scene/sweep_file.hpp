@@ -38,7 +38,8 @@ struct CaseRange {
 ///     rail.influence = [ "new.h5", "worn.h5" ]
 ///
 /// A product runs through the last list fastest, in the order of the file; lists of `together` come first,
-/// because bodies should change least often. Cases that follow each other should be alike, because each
+/// because bodies should change least often. A table [passage] (passage.hpp) is a list over the place along
+/// the track, beside those of [sweep] or alone. Cases that follow each other should be alike, because each
 /// starts from the one before. Each case is the scene with its values, and is checked like any scene.
 struct SweepFile {
   static constexpr const char* time_note = "note.time"; ///< the key of a replay's time
@@ -111,11 +112,12 @@ private:
   std::optional<SceneReader> reader_;
 };
 
-/// Says whether a scene has a table [sweep], or the other one that has lists (parse_sweep_file()).
+/// Says whether a scene has a table [sweep] or [passage], or the other one that has lists
+/// (parse_sweep_file()).
 bool has_sweep(const SceneText& given, std::string_view section = "sweep");
 
-/// Throws InputError for a file without [sweep], an empty or endless range, a zip of lists of unequal
-/// lengths, or a key that no scene has.
+/// Throws InputError for a file without [sweep] or [passage], an empty or endless range, a zip of lists of
+/// unequal lengths, or a key that no scene has.
 SweepFile read_sweep_file(const std::filesystem::path& file);
 /// `section`: the table that has the lists. "table" (bem_contact table) has no mode or weight; its single
 /// values are options of that command, and are passed over.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <set>
 
 namespace bem_contact {
 
@@ -120,31 +121,77 @@ void check_joint(const SceneFile& f, const Schema& s) {
              fmt::format("Give a longer rail.joint.dip_length: slopes up to {:g} are solved.", steepest_dip));
 }
 
-void check_sections(const SceneFile& f, const Schema& s) {
-  if (!f.has_sections())
-    return;
-  const bool listed = !f.rail.sections.empty();
-  const char* sections = listed ? "rail.sections" : "rail.profile";
-  if (listed && s.has("rail.profile"))
-    s.refuse("rail.profile", "rail.sections is given too", "Give either of the two.");
-  for (std::size_t i = 0; i < f.rail.sections.size(); ++i) {
-    const SceneFile::Section& section = f.rail.sections[i];
+std::size_t number_of_bodies(const SceneFile::Side& rail) {
+  std::set<std::string> names;
+  for (const SceneFile::Section& section : rail.sections)
+    names.insert(section.body);
+  return names.size();
+}
+
+/// What both kinds of bodies of sections share.
+void check_list_of_sections(const SceneFile::Side& side, const std::string& name, const Schema& s) {
+  if (!side.sections.empty() && s.changed(name + ".profile"))
+    s.refuse(name + ".profile", fmt::format("{}.sections is given too", name), "Give either of the two.");
+  for (std::size_t i = 0; i < side.sections.size(); ++i) {
+    const SceneFile::Section& section = side.sections[i];
     const std::size_t lines = section.features.size() + section.without.size();
     for (const double number : section.without)
       if (number != std::round(number) || number < 1 || number > static_cast<double>(lines))
-        s.refuse("rail.sections",
+        s.refuse(name + ".sections",
                  fmt::format("section {} is without feature {:g}, and it speaks of {} features", i + 1,
                              number, lines),
                  "Number the features from 1, in the order along the profile.");
   }
+}
+
+/// The key that gives a body's sections; null: it has one profile.
+const char* key_of_sections(const SceneFile::Side& side, bool rail) {
+  return !side.sections.empty()       ? (rail ? "rail.sections" : "wheel.sections")
+         : names_slices(side.profile) ? (rail ? "rail.profile" : "wheel.profile")
+                                      : nullptr;
+}
+
+void check_bodies(const SceneFile& f, const Schema& s) {
+  std::size_t on_springs = 0;
+  for (std::size_t i = 0; i < f.rail.bodies.size(); ++i) {
+    const SceneFile::Body& body = f.rail.bodies[i];
+    if (std::ranges::count(f.rail.sections, body.name, &SceneFile::Section::body) == 0)
+      s.refuse("rail.bodies", fmt::format("no section has the body '{}'", body.name),
+               "Give the names that rail.sections have.");
+    if (std::ranges::count(f.rail.bodies, body.name, &SceneFile::Body::name) > 1)
+      s.refuse("rail.bodies", fmt::format("'{}' is there twice", body.name), "Leave one of them out.");
+    on_springs += body.stiffness ? 1 : 0;
+  }
+  if (on_springs == 0)
+    return;
+  if (number_of_bodies(f.rail) != 2)
+    s.refuse("rail.bodies",
+             fmt::format("a stiffness is given, and there are {} bodies", number_of_bodies(f.rail)),
+             "Two share a load by their stiffness; give none to let others share it as rigid bodies.");
+  if (!f.load.force || f.load.force_y)
+    s.refuse("rail.bodies", "bodies on springs share a load, and load.force alone is not given",
+             "Give load.force and position.lateral.");
+}
+
+void check_sections(const SceneFile& f, const Schema& s) {
+  check_list_of_sections(f.rail, "rail", s);
+  check_list_of_sections(f.wheel, "wheel", s);
+  check_bodies(f, s);
+  const char *rail = key_of_sections(f.rail, true), *wheel = key_of_sections(f.wheel, false);
+  const char* sections = rail ? rail : wheel;
+  if (!sections)
+    return;
+  if (rail && wheel)
+    s.refuse(wheel, fmt::format("{} is given too", rail), "Give sections of one of the two bodies.");
   for (const auto& [given, key] : {std::pair{f.wheel.flat.given(), "wheel.flat"},
                                    {f.wheel.polygon.given(), "wheel.polygon"},
-                                   {f.rail.joint.given(), "rail.joint"}})
+                                   {f.rail.joint.given() && rail, "rail.joint"}})
     if (given)
       s.refuse(sections, fmt::format("{} is given too", key),
-               "Give a round wheel; a joint may be one of the sections.");
+               wheel ? "Let the sections have it."
+                     : "Give a round wheel; a joint may be one of the sections.");
   if (f.solver.model == Model::simplified)
-    s.refuse(sections, "the simplified theory takes the rail as level along x",
+    s.refuse(sections, "the simplified theory takes the rail as level along x and the wheel as round",
              "Choose solver.model = \"halfspace\" or \"tangent_plane\".");
   if (f.motion.kind == MotionKind::shift && !f.motion.frictionless)
     s.refuse(sections, "shifts are those of bodies that are the same along x",
@@ -156,29 +203,72 @@ void check_sections(const SceneFile& f, const Schema& s) {
 
 } // namespace
 
-void add_rail_sections(Schema& s, SceneFile::Side& rail) {
-  s.add("rail.sections",
-        {[&rail] { rail.sections.clear(); },
-         [&rail] {
-           SceneFile::Section& section = rail.sections.emplace_back();
-           Schema row("section of a rail");
-           row.add("rail.sections.at", section.at, "Place of the section along the track, as position.along",
-                   {.unit = "mm", .at_least = -1e7, .at_most = 1e7, .needed = true});
-           row.add("rail.sections.profile", section.profile, "A standard or a profile file",
-                   {.needed = true});
-           row.add("rail.sections.features", section.features,
-                   "Arc lengths on the profile of the lines along which sections are joined, in the same "
-                   "order in all; none: found",
-                   {.unit = "mm", .at_least = -1e5, .at_most = 1e5});
-           row.add("rail.sections.without", section.without,
-                   "Numbers of those lines, from 1, that this section does not have; none: it has all");
-           row.add("rail.sections.kink", section.kink,
-                   "The surface has an edge across the track here: its slope along the track may jump");
-           return row;
-         },
-         "[{ at = 0, profile = \"60E1\" }, { at = 500, profile = \"worn.prr\" }, ...]"},
-        "Instead of rail.profile: sections of a rail that changes along the track, by rising place; all have "
-        "the same origin, and gauge and top are those of the first",
+void add_sections(Schema& s, SceneFile::Side& side, const std::string& name) {
+  const bool rail = name == "rail";
+  const std::string list = name + ".sections";
+  const auto row_of = [list, rail](SceneFile::Section& section) {
+    Schema row(rail ? "section of a rail" : "section of a wheel");
+    row.add(list + ".at", section.at,
+            rail ? "Place of the section along the track, as position.along"
+                 : "Angle of the section on the wheel, as wheel.flat.angle",
+            {.unit = rail ? "mm" : "rad", .at_least = -1e7, .at_most = 1e7, .needed = true});
+    row.add(list + ".profile", section.profile, "A standard or a profile file", {.needed = true});
+    row.add(list + ".features", section.features,
+            "Arc lengths on the profile of the lines along which sections are joined, in the same "
+            "order in all; none: found",
+            {.unit = "mm", .at_least = -1e5, .at_most = 1e5});
+    row.add(list + ".without", section.without,
+            "Numbers of those lines, from 1, that this section does not have; none: it has all");
+    row.add(list + ".kink", section.kink,
+            "The surface has an edge across the way here: its slope along it may jump");
+    if (rail)
+      row.add(list + ".body", section.body,
+              "Of several rails beside each other, as wing and nose or stock rail and blade, the name of the "
+              "one that has this section; empty: there is one");
+    return row;
+  };
+  s.add(list,
+        {[&side] { side.sections.clear(); }, [&side, row_of] { return row_of(side.sections.emplace_back()); },
+         rail ? "[{ at = 0, profile = \"60E1\" }, { at = 500, profile = \"worn.prr\" }, ...]"
+              : "[{ at = 0, profile = \"S1002\" }, { at = 3.1, profile = \"worn.prw\" }, ...]",
+         [&side, row_of] {
+           std::vector<Schema> rows;
+           for (SceneFile::Section& section : side.sections)
+             rows.push_back(row_of(section));
+           return rows;
+         }},
+        rail ? "Instead of rail.profile: sections of a rail that changes along the track, by rising place; "
+               "all have the same origin, and gauge and top are those of the first"
+             : "Instead of wheel.profile: sections of a wheel that changes round its axle, by rising angle "
+               "within one turn; all have their tape circle at y = 0, z = 0",
+        {.kinds = wheel_rail_alone, .commented_out = true});
+  if (!rail)
+    s.add("wheel.sections_angle", side.sections_angle,
+          "Where angle 0 of the sections is when position.along is 0: 0 below the axle, growing forwards",
+          {.unit = "rad", .at_least = -1e3, .at_most = 1e3, .kinds = wheel_rail_alone});
+}
+
+void add_bodies(Schema& s, SceneFile::Side& rail) {
+  const auto row_of = [](SceneFile::Body& body) {
+    Schema row("body of a rail");
+    row.add("rail.bodies.name", body.name, "As its sections have it", {.needed = true});
+    row.add("rail.bodies.lowered", body.lowered, "It lies lower than its sections by this",
+            {.unit = "mm", .at_least = -50, .at_most = 50});
+    row.add("rail.bodies.stiffness", body.stiffness,
+            "Vertical stiffness of what it lies on; bodies share the load by it; 0: rigid",
+            {.unit = "N/mm", .at_least = 0, .zero_is_none = true});
+    return row;
+  };
+  s.add("rail.bodies",
+        {[&rail] { rail.bodies.clear(); }, [&rail, row_of] { return row_of(rail.bodies.emplace_back()); },
+         "[{ name = \"wing\", stiffness = 1e5 }, { name = \"nose\", stiffness = 2e5 }, ...]",
+         [&rail, row_of] {
+           std::vector<Schema> rows;
+           for (SceneFile::Body& body : rail.bodies)
+             rows.push_back(row_of(body));
+           return rows;
+         }},
+        "What several rails beside each other lie on, by the names that their sections give them",
         {.kinds = wheel_rail_alone, .commented_out = true});
 }
 
@@ -187,12 +277,12 @@ void check_unevenness(const SceneFile& f, const Schema& s) {
   check_polygon(f, s);
   check_joint(f, s);
   check_sections(f, s);
-  const char* uneven = f.wheel.flat.given()       ? "wheel.flat"
-                       : f.wheel.polygon.given()  ? "wheel.polygon"
-                       : f.rail.joint.given()     ? "rail.joint"
-                       : !f.rail.sections.empty() ? "rail.sections"
-                       : f.changes_along()        ? "rail.profile"
-                                                  : nullptr;
+  const char *of_rail = key_of_sections(f.rail, true), *of_wheel = key_of_sections(f.wheel, false);
+  const char* uneven = f.wheel.flat.given()      ? "wheel.flat"
+                       : f.wheel.polygon.given() ? "wheel.polygon"
+                       : f.rail.joint.given()    ? "rail.joint"
+                       : of_rail                 ? of_rail
+                                                 : of_wheel;
   if (!uneven)
     return;
   const auto refuse = [&](bool holds, const char* why, const char* what_to_do) {
@@ -210,9 +300,6 @@ void check_unevenness(const SceneFile& f, const Schema& s) {
          "transient rolling has the same undeformed distance at each step, and here it changes",
          "Choose motion.kind = \"steady\" and sweep position.along: each place is then solved as if rolling "
          "were steady there.");
-  refuse(f.wheelset.force.has_value(),
-         "bem_contact wheelset takes both wheels as round and the rails as even",
-         "Give load.force and solve one wheel.");
 }
 
 } // namespace bem_contact

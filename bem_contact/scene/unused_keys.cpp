@@ -113,9 +113,9 @@ std::vector<Cause> causes_of_bodies(const SceneFile& f) {
        "no body's structural compliance is included"},
       {{"position.along"},
        !f.changes_along(),
-       "neither wheel.flat, wheel.polygon, rail.joint nor rail.sections is given: wheel and rail are the "
-       "same "
-       "everywhere"},
+       "none of wheel.flat, wheel.polygon, wheel.sections, rail.joint and rail.sections is given: wheel and "
+       "rail are the same everywhere"},
+      {{"wheel.sections_angle"}, !f.wheel.has_sections(), "wheel.sections is not given"},
       {{"track.superelevation", "track.base"},
        !f.wheelset.force,
        "an axle needs it, and wheelset.force is not given"},

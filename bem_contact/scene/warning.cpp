@@ -44,7 +44,9 @@ Warnings once_each(const std::vector<PlacedWarning>& warnings) {
     std::vector<std::string> places, others; ///< of this text; of other figures
   };
   std::vector<Group> groups;
-  for (const auto& [place, warning] : warnings) {
+  for (const PlacedWarning& one : warnings) {
+    const std::string& place = one.place;
+    const Warning& warning = one.warning;
     const auto known = std::ranges::find_if(
         groups, [&](const Group& group) { return group.first.differs_in_figures(warning); });
     if (known == groups.end())

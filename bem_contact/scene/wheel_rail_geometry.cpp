@@ -44,33 +44,16 @@ void require_roller_for_its_body(const SceneFile& scene) {
                      fmt::format("Give rail.roller_radius = {:g}, or a straight rail.", radius));
 }
 
-/// The profile of one of them; errors name it.
-ProfileCurve profile_of_section(const SceneFile& scene, std::size_t i) {
-  const SceneFile::Section& section = scene.rail.sections[i];
-  try {
-    return named_profile(section.profile, ProfileKind::rail, scene.folder, scene.rail.reading);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("Section {} of the rail, at {:g} mm: {}", i + 1, section.at, error.what()));
+/// The bodies of the rail side as they stand; null: the rail has one profile.
+std::shared_ptr<const RailSurfaces> rail_surfaces(const SceneFile& scene, const SectionedBodies& rail) {
+  if (rail.surfaces.empty())
+    return nullptr;
+  std::vector<RailSurfaces::Body> bodies;
+  for (std::size_t i = 0; i < rail.surfaces.size(); ++i) {
+    const auto known = std::ranges::find(scene.rail.bodies, rail.names[i], &SceneFile::Body::name);
+    bodies.push_back({rail.surfaces[i], known != scene.rail.bodies.end() ? known->lowered : 0});
   }
-}
-
-/// None of a rail that is the same along the track.
-std::vector<BodySection> sections_of(const SceneFile& scene) {
-  if (names_slices(scene.rail.profile))
-    return sections_of_slices(profile_file_name(scene.rail.profile, scene.folder).file, scene.rail.reading);
-  std::vector<BodySection> sections;
-  for (std::size_t i = 0; i < scene.rail.sections.size(); ++i) {
-    const SceneFile::Section& section = scene.rail.sections[i];
-    BodySection& out = sections.emplace_back(
-        BodySection{.at = section.at, .profile = profile_of_section(scene, i), .kink = section.kink});
-    auto has = section.features.begin();
-    for (std::size_t k = 1; k <= section.features.size() + section.without.size(); ++k)
-      out.features.push_back(std::ranges::count(section.without, static_cast<double>(k)) > 0 ||
-                                     has == section.features.end()
-                                 ? std::numeric_limits<double>::quiet_NaN()
-                                 : *has++);
-  }
-  return sections;
+  return std::make_shared<const RailSurfaces>(std::move(bodies));
 }
 
 } // namespace
@@ -81,14 +64,22 @@ RailInclination inclination_of_rail(const std::string& name, const ProfileCurve&
 }
 
 WheelRailProfiles read_profiles(const SceneFile& scene) {
-  std::vector<BodySection> sections = sections_of(scene);
-  const ProfileCurve rail = !sections.empty() ? sections.front().profile
-                                              : named_profile(scene.rail.profile, ProfileKind::rail,
-                                                              scene.folder, scene.rail.reading);
+  const auto profile_of = [&](const SceneFile::Side& side, ProfileKind kind, const SectionedBodies& bodies) {
+    return bodies.first ? *bodies.first : named_profile(side.profile, kind, scene.folder, side.reading);
+  };
+  SectionedBodies of_rail = sectioned_bodies(scene, ProfileKind::rail),
+                  of_wheel = sectioned_bodies(scene, ProfileKind::wheel);
+  const ProfileCurve rail = profile_of(scene.rail, ProfileKind::rail, of_rail);
   require_roller_for_its_body(scene);
-  return {rail, named_profile(scene.wheel.profile, ProfileKind::wheel, scene.folder, scene.wheel.reading),
-          inclination_of_rail(scene.rail.profile, rail),
-          sections.empty() ? nullptr : std::make_shared<const SectionedSurface>(std::move(sections))};
+  return {rail, profile_of(scene.wheel, ProfileKind::wheel, of_wheel),
+          inclination_of_rail(scene.rail.profile, rail), std::move(of_rail), std::move(of_wheel)};
+}
+
+WheelOnRail placed_bodies(const SceneFile& scene, const WheelRailProfiles& profiles,
+                          const WheelsetPosition& position) {
+  const auto& of_wheel = profiles.wheel_bodies.surfaces;
+  return place(position, profiles.rail, profiles.wheel, rail_surfaces(scene, profiles.rail_bodies),
+               of_wheel.empty() ? nullptr : of_wheel.front());
 }
 
 std::vector<ContactRow> WheelRailGeometry::rows(const GridPlan& plan) const {

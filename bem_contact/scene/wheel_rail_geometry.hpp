@@ -7,6 +7,7 @@
 #include "bem_contact/geometry/rigid_slip.hpp"
 #include "bem_contact/scene/grid_plan.hpp"
 #include "bem_contact/scene/scene_file.hpp"
+#include "bem_contact/scene/sectioned_bodies.hpp"
 
 #include <future>
 #include <memory>
@@ -22,11 +23,13 @@ using RailInclination = std::shared_future<double>;
 /// Holds both profiles, tabulated. They are read once for a sequence of cases with the same bodies.
 struct WheelRailProfiles {
   TabulatedProfile rail, wheel;
-  RailInclination rail_inclination; ///< that the rail's file has already
-  std::shared_ptr<const SectionedSurface> surface =
-      {}; ///< of [[rail.sections]], of which `rail` is the first
+  RailInclination rail_inclination;                    ///< that the rail's file has already
+  SectionedBodies rail_bodies = {}, wheel_bodies = {}; ///< `rail` and `wheel` are their first sections
 };
 WheelRailProfiles read_profiles(const SceneFile& scene);
+/// Both bodies of the scene with the wheelset at `position` (place()).
+WheelOnRail placed_bodies(const SceneFile& scene, const WheelRailProfiles& profiles,
+                          const WheelsetPosition& position);
 RailInclination inclination_of_rail(const std::string& name, const ProfileCurve& rail);
 
 /// The bodies of a `wheel_rail` scene, the wheel lowered until it just touches.

@@ -2,6 +2,7 @@
 
 #include "bem_contact/sequence/quantities.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -47,6 +48,27 @@ Record record_of(const InputDerivatives& input) {
   return out;
 }
 
+/// A row for each point.
+Record record_of(const ProfileDerivatives& profile) {
+  record::Table table{.row = "point", .layout = record::Layout::columns};
+  const auto add = [&](std::string name, std::string unit, std::string meaning, const auto& value) {
+    record::Column column{std::move(name), std::move(unit), std::move(meaning)};
+    for (std::size_t k = 0; k < profile.points.size(); ++k)
+      column.values.push_back(value(k));
+    table.columns.push_back(std::move(column));
+  };
+  add("s", "mm", "arc length", [&](std::size_t k) { return profile.points[k].s; });
+  add("y", "mm", "in the frame of the profile", [&](std::size_t k) { return profile.points[k].position.y; });
+  add("z", "mm", "likewise, down", [&](std::size_t k) { return profile.points[k].position.z; });
+  for (std::size_t n = 0; n < derived_totals().size(); ++n) {
+    const Quantity& q = quantity(derived_totals()[n]);
+    if (std::ranges::none_of(profile.by_point, [&](const auto& at) { return std::isnan(at.totals[n]); }))
+      add(q.name, unit_per(q.unit.of(false), "mm"), q.meaning,
+          [&](std::size_t k) { return profile.by_point[k].totals[n]; });
+  }
+  return Record{{"points", std::move(table)}};
+}
+
 } // namespace
 
 std::string unit_per(std::string_view unit, std::string_view input) {
@@ -64,6 +86,8 @@ Record derivatives_of(const SceneResult& result) {
   Record out;
   for (const InputDerivatives& input : result.derivatives)
     out.add(input.name, record_of(input));
+  for (const ProfileDerivatives& profile : result.profile_derivatives)
+    out.add(profile.name, record_of(profile));
   return out;
 }
 

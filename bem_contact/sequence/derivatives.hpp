@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/contact/tangent.hpp"
+#include "bem_contact/profile/profile_curve.hpp"
 
 #include <span>
 #include <string>
@@ -16,6 +17,15 @@ struct InputDerivatives {
   std::vector<std::vector<double>> patches; ///< of derived_patch_numbers(), for each patch
   double below = 0, above = 0;              ///< Tangent has these, in the unit of the number
   StateChange at_below = StateChange::none, at_above = StateChange::none; ///< likewise
+};
+
+/// Derivatives of one result with respect to every point of a profile, moved out of the body along its
+/// normal.
+struct ProfileDerivatives {
+  std::string name;               ///< "rail_profile"
+  std::vector<CurvePoint> points; ///< where the profile stands in its own frame
+  std::vector<InputDerivatives>
+      by_point; ///< per mm; too far from the contact to change it: zeros, no patches
 };
 
 /// Names of quantities() and patch_quantities() that have derivatives. What counts elements has none, and so

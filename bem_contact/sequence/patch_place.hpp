@@ -17,6 +17,7 @@ struct PatchPlace {
   /// Rigid slip there, with the creepage found for a prescribed force: along x, along s, and its rotation
   /// about n (1/mm). Shift: mm, mm and rad.
   double xi = none, eta = none, phi = none;
+  double body = 0; ///< which of several bodies of the rail's side bears it, from 1; 0: there is one
 };
 
 } // namespace bem_contact

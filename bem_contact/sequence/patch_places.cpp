@@ -70,6 +70,8 @@ void add_position(const WheelRailGeometry& placed, const ContactOnGrid& contact,
   place.wheel_y = wheel.position.y;
   place.wheel_z = wheel.position.z;
   place.wheel_delta = wheel.delta - std::numbers::pi; // a wheel's profile is walked the other way
+  if (pair.sections && pair.sections->bodies() > 1)
+    place.body = 1 + pair.sections->body_of({station(contact.rail_s, pair.rail), {}, 0});
 }
 
 } // namespace

@@ -17,7 +17,7 @@ constexpr Unit mm{"mm", nullptr, Kind::length}, newton{"N", nullptr, Kind::force
     moment_unit{"N mm", nullptr, Kind::moment}, megapascal{"MPa", nullptr, Kind::pressure},
     square{"mm2", nullptr, Kind::area}, radian{"rad", nullptr, Kind::angle},
     celsius{"degC", nullptr, Kind::temperature}, share_unit{"1", nullptr, Kind::share},
-    number{"1", nullptr, Kind::count}, effort{"1", nullptr, Kind::effort};
+    plain_number{"1", nullptr, Kind::count}, effort{"1", nullptr, Kind::effort};
 constexpr Unit creepage_unit{"1", "mm", Kind::creepage}, spin_unit{"1/mm", "rad", Kind::creepage};
 constexpr Unit compliance_unit{"mm3/N"};
 constexpr Unit creepage_alone{"1", nullptr, Kind::creepage};
@@ -165,15 +165,16 @@ constexpr Quantity known_quantities[] = {
        return r.motion.free_rolling ? r.motion.free_rolling->radius() : Measured{none};
      },
      Missing::possible},
-    {"patch_count", number, "connected areas in contact",
+    {"patch_count", plain_number, "connected areas in contact",
      [](const SceneResult& r) { return double(r.result.patches.size()); }},
     {"Fn_2", newton, "normal force of the second largest patch; 0: there is none",
      [](const SceneResult& r) { return r.result.patches.size() > 1 ? r.result.patches[1].fn : Measured{}; }},
-    {"contact", number, "elements in contact", elements<&ElementCounts::contact>},
-    {"adhesion", number, "elements in adhesion", elements<&ElementCounts::adhesion>},
-    {"slip", number, "elements in slip", elements<&ElementCounts::slip>},
-    {"mx", number, "columns of the grid", [](const SceneResult& r) { return double(r.problem.grid.mx); }},
-    {"ms", number, "rows of the grid", [](const SceneResult& r) { return double(r.problem.grid.ms); }},
+    {"contact", plain_number, "elements in contact", elements<&ElementCounts::contact>},
+    {"adhesion", plain_number, "elements in adhesion", elements<&ElementCounts::adhesion>},
+    {"slip", plain_number, "elements in slip", elements<&ElementCounts::slip>},
+    {"mx", plain_number, "columns of the grid",
+     [](const SceneResult& r) { return double(r.problem.grid.mx); }},
+    {"ms", plain_number, "rows of the grid", [](const SceneResult& r) { return double(r.problem.grid.ms); }},
     {"dx", mm, "length of an element", [](const SceneResult& r) { return r.problem.grid.dx; }},
     {"ds", mm, "width of an element", [](const SceneResult& r) { return r.problem.grid.ds; }},
     {"reference_s", mm, "reference point: arc length on the rail",
@@ -239,11 +240,14 @@ constexpr PatchQuantity all_of_patches[] = {
     {"eta", creepage_unit, "rigid slip along s at the patch's centre", of_place<&PatchPlace::eta>},
     {"phi", spin_unit, "rotation of the rigid slip about n there, with that of the geometry",
      of_place<&PatchPlace::phi>},
+    {"body", plain_number,
+     "which of several bodies of the rail bears it, from 1 in the order of the scene; 0: there is one",
+     of_place<&PatchPlace::body>},
     {"T_gamma", work_unit, "work of friction per unit of rolled distance (shift: in the step)",
      of_patch<&PatchSummary::T_gamma>},
-    {"contact", number, "elements in contact", of_patch<&PatchSummary::contact>},
-    {"adhesion", number, "elements in adhesion", of_patch<&PatchSummary::adhesion>},
-    {"slip", number, "elements in slip", of_patch<&PatchSummary::slip>},
+    {"contact", plain_number, "elements in contact", of_patch<&PatchSummary::contact>},
+    {"adhesion", plain_number, "elements in adhesion", of_patch<&PatchSummary::adhesion>},
+    {"slip", plain_number, "elements in slip", of_patch<&PatchSummary::slip>},
 };
 
 /// The number of that name, of one step.
@@ -328,7 +332,7 @@ constexpr ElementQuantity all_of_elements[] = {
                                                   "between the deformed surfaces, along n"),
     {"gap", mm, "undeformed distance along the rail's normal",
      [](const SceneResult& r, std::span<double> to) { copy_stored(r.problem.gap, to); }},
-    {"state", number, "0 exterior, 1 adhesion, 2 slip",
+    {"state", plain_number, "0 exterior, 1 adhesion, 2 slip",
      [](const SceneResult& r, std::span<double> to) {
        std::ranges::fill(to, 0.0);
        std::ranges::transform(r.result.state, to.begin(),

@@ -241,17 +241,13 @@ void add_found_lateral(Record& out, const SceneResult& r) {
 } // namespace
 
 record::Table patches_of(const SceneResult& r) {
-  record::Table out = record::table_of("patch", patch_quantities(), r.result.patches.size(), is_shift(r),
-                                       [&](auto value, std::size_t i) { return value(r, i); });
-  out.layout = record::Layout::rows;
-  return out;
+  return record::as_rows(record::table_of("patch", patch_quantities(), r.result.patches.size(), is_shift(r),
+                                          [&](auto value, std::size_t i) { return value(r, i); }));
 }
 
 record::Table history_of(const SceneResult& r) {
-  record::Table out = record::table_of("step", step_quantities(), r.history.size(), is_shift(r),
-                                       [&](auto value, std::size_t i) { return value(r, r.history[i]); });
-  out.layout = record::Layout::rows;
-  return out;
+  return record::as_rows(record::table_of("step", step_quantities(), r.history.size(), is_shift(r),
+                                          [&](auto value, std::size_t i) { return value(r, r.history[i]); }));
 }
 
 Record record_of(const SceneResult& r, const RecordParts& parts) {
@@ -266,8 +262,8 @@ Record record_of(const SceneResult& r, const RecordParts& parts) {
   out.add("conformity", conformity_of(r.conformity));
   out.add("structure", structure_of(r.structure));
   out.add("stresses", stresses_of(r.stresses));
-  if (!r.derivatives.empty())
-    out.add("derivatives", derivatives_of(r));
+  if (Record derivatives = derivatives_of(r); !derivatives.empty())
+    out.add("derivatives", std::move(derivatives));
   if (parts.quantities)
     out.add("extrapolated", extrapolated(r))
         .add("certificate", certificate_of(r.result.trust.certificate))

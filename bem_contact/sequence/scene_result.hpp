@@ -4,6 +4,7 @@
 #include "bem_contact/contact/history.hpp"
 #include "bem_contact/contact/layer.hpp"
 #include "bem_contact/geometry/conformity.hpp"
+#include "bem_contact/geometry/rail_frame.hpp"
 #include "bem_contact/geometry/rigid_slip.hpp"
 #include "bem_contact/scene/choices.hpp"
 #include "bem_contact/scene/warning.hpp"
@@ -85,6 +86,8 @@ struct SceneMotion {
   /// Of an uneven wheel or rail: longitudinal force of the pressure on the rail, N, 0 where the wheel alone
   /// is uneven. Fx is that of the shear tractions.
   std::optional<double> slope_force;
+  /// Of a rail of sections: the frame in which fields of elements are. Totals and patches are in the track's.
+  std::optional<RailFrame> frame;
   /// Creepages at the reference point, with what was found for prescribed forces. wheel_rail: xi is counted
   /// from motion.rolling_radius, and phi is without the spin of the geometry. Shift: mm, mm and rad. 0
   /// without friction and where a table gives the rigid slip.
@@ -124,6 +127,7 @@ struct SceneResult {
   SceneBodies bodies;                        ///< as outputs show them
   std::optional<StressesBelow> stresses;     ///< where the scene asks for them
   std::vector<InputDerivatives> derivatives; ///< with respect to what the scene names
+  std::vector<ProfileDerivatives> profile_derivatives; ///< likewise
   std::optional<Conformity> conformity;      ///< wheel_rail: of the rigid bodies at this displacement
   std::optional<StructuralResult> structure; ///< fem with structural compliance of at least one body
   /// Says in words: the approach is the relative displacement of these points of the two bodies. Approaches

@@ -14,6 +14,7 @@
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/settings.hpp"
 #include "bem_contact/sequence/solution/derivatives_of.hpp"
+#include "bem_contact/sequence/solution/foundations.hpp"
 #include "bem_contact/sequence/solution/free_rolling.hpp"
 #include "bem_contact/sequence/solution/slide_errors.hpp"
 #include "bem_contact/sequence/solution/solve_case.hpp"
@@ -163,7 +164,8 @@ SceneResult Sequence::Impl::answer(const SceneFile& scene, const SceneTask& task
     out.seconds.total = clock.seconds();
     return out;
   }
-  SceneResult out = solve_at_position(scene, task);
+  const auto rigid = [&](const SceneFile& bodies) { return solve_at_position(bodies, task); };
+  SceneResult out = rigid(on_foundations(scene, rigid));
   add_slide_errors(out);
   out.seconds.total = clock.seconds();
   return out;

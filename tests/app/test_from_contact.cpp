@@ -174,6 +174,19 @@ TEST_F(FromContact, ARailOfSections) {
     EXPECT_THAT(text_of(scene(1)), HasSubstr(line));
   EXPECT_EQ(run("check '" + scene(1) + "'").code, 0);
 
+  std::string round = text; // a wheel that changes round its axle: PITCH turns it forwards
+  round.replace(round.find(CONFORMAL_SOURCE_DIR "/data/bodies/hollow_wheel.txt"),
+                std::string(CONFORMAL_SOURCE_DIR "/data/bodies/hollow_wheel.txt").size(), "wheel.slcw");
+  round.replace(round.find("'rail.slcs'"), 11, "'" CONFORMAL_SOURCE_DIR "/data/bodies/worn_rail.txt'");
+  round.replace(round.find("80000. 0. 0. 0. "), 16, "80000. 0. 0. 0.2");
+  write("wheel.slcw",
+        "0 1\n2\n0\n2\n-1 '" CONFORMAL_SOURCE_DIR "/data/bodies/hollow_wheel.txt'\n1 '" CONFORMAL_SOURCE_DIR
+        "/data/bodies/hollow_wheel.txt'\n");
+  ASSERT_EQ(convert(round).code, 0);
+  for (const char* line : {"wheel.slcw\"", "wheel.sections_angle = 0.2"})
+    EXPECT_THAT(text_of(scene(1)), HasSubstr(line));
+  EXPECT_EQ(run("check '" + scene(1) + "'").code, 0);
+
   std::string by_gauge = text;
   by_gauge.replace(by_gauge.find("-1. 750."), 8, "14. 0   ");
   const Outcome refused = convert(by_gauge);

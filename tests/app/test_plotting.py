@@ -234,10 +234,12 @@ class Numbers(unittest.TestCase):
 
     def test_differences(self):
         """Relative of pressures and areas, else in the unit, with the digits that the errors leave; none of approaches."""
-        for name, values, errors, wanted in (("pmax", (1881.64, 1858.23), (3.3, 3.2), "-1.24 %"), ("Fy", (38188.44, 38188.40), (75, 64), "0"),
-                                             ("Mz", (-59223.99, -57020.28), (266, 224), "+2204"), ("approach", (0.137, 0.124), (1e-4, 1e-4), "–"),
-                                             ("lateral", (6.62167, 6.6), (3.8e-4, np.nan), "-0.0217"), ("Fz", (1e5, 1e5), (np.nan, np.nan), "0")):
-            self.assertEqual(results.difference(name, values, errors), wanted, name)
+        for name, unit, values, errors, wanted in (
+                ("pmax", "MPa", (1881.64, 1858.23), (3.3, 3.2), "-1.24 %"), ("area", "mm2", (50, 51), (np.nan, np.nan), "+2.00 %"),
+                ("Fy", "N", (38188.44, 38188.40), (75, 64), "0"), ("Mz", "N mm", (-59223.99, -57020.28), (266, 224), "+2204"),
+                ("approach", "mm", (0.137, 0.124), (1e-4, 1e-4), "–"), ("lateral", "mm", (6.62167, 6.6), (3.8e-4, np.nan), "-0.0217"),
+                ("Fz", "N", (1e5, 1e5), (np.nan, np.nan), "0")):
+            self.assertEqual(results.difference(name, unit, values, errors), wanted, name)
 
     def test_words_and_degrees(self):
         self.assertEqual(style.titled("pmax", "MPa"), "largest pressure, MPa")

@@ -110,4 +110,30 @@ TEST_F(ProfileCommand, SaysThatAWornRailIsInclined) {
       HasSubstr("(about 1:20): the file is already inclined; give position.rail_inclination = 0 with it"));
 }
 
+/// A scene names its sections in a list or by a slices file; the words in it decide nothing.
+TEST_F(ProfileCommand, SaysAlongWhichLinesSectionsAreJoined) {
+  const std::string slices = " 0 1 S_OFFSET, S_SCALE\n 2 NSLC\n 0 0 0 NFEAT\n 1\n 0 '60E1'\n 100 '60E1'\n",
+                    load = "wheel.profile = 'S1002'\nload.force = 1e5\n";
+  write("even.SLCS", slices);
+  const std::string by_file = write("a.toml", "rail.profile = 'even.SLCS'\n" + load).string(),
+                    by_list = write("b.toml", "[[rail.sections]]\nat = 0\nprofile = '60E1'\n"
+                                              "[[rail.sections]]\nat = 100\nprofile = '60E1'\n"
+                                              "[wheel]\nprofile = 'S1002'\n[load]\nforce = 1e5\n")
+                                  .string();
+  const std::string table = (folder_ / "lines.csv").string();
+  for (const std::string& file : {by_file, by_list, (folder_ / "even.SLCS").string()}) {
+    const Outcome r = run("profile '" + file + "' --csv '" + table + "'");
+    ASSERT_EQ(r.code, 0) << file << r.err;
+    EXPECT_THAT(r.out, HasSubstr("the sections of a rail")) << file;
+    std::ostringstream lines;
+    lines << std::ifstream(table).rdbuf();
+    EXPECT_THAT(lines.str(), HasSubstr("body,t,line,section,u,y,z\n1,0,1,1,0,")) << file;
+    EXPECT_EQ(run("profile '" + file + "' --json").code, 2) << file;
+  }
+  const Outcome other =
+      run("profile '" + write("c.toml", "# no sections\nrail.profile = '60E1'\n" + load).string() + "'");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("if it is a scene, solve it first"));
+}
+
 } // namespace

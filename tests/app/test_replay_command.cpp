@@ -83,9 +83,10 @@ TEST_F(Replay, WhatLiesBetweenIsWithinItsStatedErrors) {
     const std::vector<double> few = column(name), error = column(std::string(name) + "_error"),
                               every = column(name, "all.h5");
     for (std::size_t i = 0; i < few.size(); ++i)
-      if (!std::isnan(error[i])) // where it is not known, it says so
+      if (!std::isnan(error[i])) { // where it is not known, it says so
         EXPECT_LE(std::abs(few[i] - every[i]), std::max(error[i], 1e-3 * std::abs(every[i])))
             << name << " at " << i;
+      }
   }
 }
 

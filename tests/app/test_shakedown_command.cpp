@@ -69,7 +69,7 @@ TEST_F(ShakedownCommand, OfASteelAndACollective) {
   EXPECT_EQ(said.code, 0) << said.err;
   EXPECT_THAT(said.out, HasSubstr("Of 2 patches"));
   const auto json = nlohmann::json::parse(run("shakedown '" + many + "' --json").out);
-  EXPECT_EQ(json["patches"]["case"][1], 1);
+  EXPECT_EQ(json["patches"][1]["case"], 1);
 }
 
 TEST_F(ShakedownCommand, RefusesWhatItCannotAnswer) {

@@ -356,9 +356,13 @@ TEST_F(WearCommand, FatigueHasALineForEachPatch) {
   const nlohmann::json json = nlohmann::json::parse(both.out);
   const H5Table file = read_h5(path("f.h5"));
   EXPECT_EQ(json.at("cases"), 2);
-  EXPECT_EQ(json.at("patches").at("patch").at(0), 1);
-  for (const auto& [name, values] : json.at("patches").items()) {
-    EXPECT_EQ(file.datasets.at("patches/" + name).values, values.get<std::vector<double>>()) << name;
+  const nlohmann::json& rows = json.at("patches");
+  EXPECT_EQ(rows.at(0).at("patch"), 1);
+  for (const auto& [name, first] : rows.at(0).items()) {
+    std::vector<double> values;
+    for (const nlohmann::json& row : rows)
+      values.push_back(row.at(name));
+    EXPECT_EQ(file.datasets.at("patches/" + name).values, values) << name;
     EXPECT_EQ(file.datasets.at("patches/" + name).unit, json.at("units").at(name).get<std::string>()) << name;
   }
   const auto& index = file.datasets.at("patches/FI_surf").values;

@@ -81,6 +81,24 @@ TEST(Answers, OfAWheelsetHaveBothWheels) {
   EXPECT_THAT(answers.report(question.dump()).body, HasSubstr("<html"));
 }
 
+/// A page in the browser loads such files where they are needed, and reads no scene itself.
+TEST(Answers, SayWhetherInfluenceFilesAreNeeded) {
+  const std::string folder = CONFORMAL_SOURCE_DIR "/data/influence/";
+  const std::string named = std::string(small) + "rail.influence = \"" + folder +
+                            "small_rail.h5\"\nwheel.influence = \"" + folder + "small_wheel.h5\"\n";
+  Answers answers(Start{.scene = {named}});
+  const auto needs = [&](const std::string& text, const json& changes) {
+    const json question{{"text", text}, {"changes", changes}, {"files", json::object()}, {"window", "test"}};
+    return json::parse(answers.needs(question.dump()).body);
+  };
+  EXPECT_EQ(needs(named, json::object()), json({{"influence", false}})); // its model is the half-space
+  EXPECT_EQ(needs(named, {{"solver.model", "fem"}}), json({{"influence", true}}));
+  EXPECT_EQ(needs(named, {{"solver.model", "auto"}}), json({{"influence", true}}));
+  EXPECT_EQ(needs(small, {{"solver.model", "auto"}}), json({{"influence", false}}));
+  EXPECT_TRUE(needs(named, {{"load.farce", 1}}).contains("problem"));
+  EXPECT_EQ(answer_of(answers, small)["data"]["scene_values"]["attributes"]["solver.model"], "halfspace");
+}
+
 TEST(Answers, SayWhatIsWrong) {
   Answers answers(Start{.scene = {small}});
   EXPECT_THAT(problem_of(answer_of(answers, small, {{"position.latteral", 1.0}})),

@@ -128,6 +128,22 @@ class Requests(unittest.TestCase):
             pass  # refused before all of it was sent
         self.assertIn("data", self.program.answer(SCENE)[1])
 
+    def test_requests_that_come_at_once_or_in_pieces(self):
+        """Two in one packet, and one byte by byte: each is answered."""
+        import socket
+        host, port = self.program.host.split(":")
+        body = json.dumps({"text": SCENE}).encode()
+        head = f"POST {self.program.path}answer HTTP/1.1\r\nHost: {host}:{port}\r\nContent-Type: application/json\r\nContent-Length: {len(body)}\r\n"
+        with socket.create_connection((host, int(port)), timeout=60) as wire:
+            wire.sendall(2 * (head.encode() + b"\r\n" + body))
+            for byte in (head + "Connection: close\r\n\r\n").encode() + body:
+                wire.sendall(bytes([byte]))
+            said = b""
+            while part := wire.recv(65536):
+                said += part
+        self.assertEqual(said.count(b"HTTP/1.1 200 OK"), 3)
+        self.assertEqual(said.count(b'"certified":1'), 3)
+
     def test_a_thousand_requests(self):
         def ask(first):
             connection, kinds = http.client.HTTPConnection(self.program.host, timeout=120), set()

@@ -35,4 +35,14 @@ inline WheelOnRail arcs(double rail_radius, double wheel_profile_radius, double 
       rail_arc(rail_radius, half_angle), wheel_arc(wheel_profile_radius, half_angle), {}, {}, wheel_radius};
 }
 
+/// On a track whose rails lean by 1:40.
+inline WheelsetPosition standing(double lateral, double yaw = 0, double along = 0) {
+  WheelsetPosition position;
+  position.lateral = lateral;
+  position.yaw = yaw;
+  position.rail_inclination = 0.025;
+  position.uneven.along = along;
+  return position;
+}
+
 } // namespace bem_contact::shapes

@@ -3,6 +3,7 @@
 #include "bem_contact/geometry/rail_height.hpp"
 #include "bem_contact/geometry/rail_rows.hpp"
 #include "bem_contact/geometry/rigid_slip.hpp"
+#include "bem_contact/geometry/undeformed_distance.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/sections/slices_file.hpp"
 #include "tests/base/temporary_folder.hpp"
@@ -19,6 +20,7 @@
 namespace {
 
 using namespace bem_contact;
+using shapes::standing;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
@@ -32,8 +34,9 @@ ProfileCurve moved(const ProfileCurve& curve, Point2 by, double scale = 1) {
   return ProfileCurve::through_points(curve.name(), points);
 }
 
-std::shared_ptr<const SectionedSurface> surface(std::vector<BodySection> sections) {
-  return std::make_shared<const SectionedSurface>(std::move(sections));
+std::shared_ptr<const RailSurfaces> surface(std::vector<BodySection> sections) {
+  return std::make_shared<const RailSurfaces>(
+      std::vector{RailSurfaces::Body{std::make_shared<const SectionedSurface>(std::move(sections))}});
 }
 
 const ProfileCurve& s1002() {
@@ -51,20 +54,11 @@ const ProfileCurve& head() {
   return curve;
 }
 
-WheelsetPosition standing(double lateral, double yaw = 0, double along = 0) {
-  WheelsetPosition position;
-  position.lateral = lateral;
-  position.yaw = yaw;
-  position.rail_inclination = 0.025;
-  position.uneven.along = along;
-  return position;
-}
-
 struct Placed {
   WheelOnRail pair;
   std::vector<TouchPoint> touch;
 };
-Placed placed(const WheelsetPosition& position, const std::shared_ptr<const SectionedSurface>& rail,
+Placed placed(const WheelsetPosition& position, const std::shared_ptr<const RailSurfaces>& rail,
               const ProfileCurve& first = uic60()) {
   Placed out{place(position, first, s1002(), rail), {}};
   out.touch = lower_to_touch(out.pair);
@@ -438,7 +432,8 @@ TEST(SlicesFile, IsReadWithItsOptions) {
                     places = " -1.0 'a.txt'\n 0.25\n   \"b.txt\"\n",
                     features = "2\n -1.0 -1 20 999.\n 0.25 0. 20.\n 999\n";
   const ProfileReading reading{.profile_z = ProfileZ::down, .keep_origin = true};
-  const std::vector<BodySection> read = sections_of_slices(written(head + places + features), reading);
+  const std::vector<BodySection> read =
+      sections_of_slices(written(head + places + features), ProfileKind::rail, reading).sections;
   ASSERT_EQ(read.size(), 2u);
   EXPECT_EQ(read[0].at, -500);
   EXPECT_EQ(read[1].at, 750);
@@ -453,7 +448,10 @@ TEST(SlicesFile, IsReadWithItsOptions) {
     }
     return std::string("nothing");
   };
-  EXPECT_THAT(refused(" 0 1\n2\n0\n2\n" + places), AllOf(HasSubstr("rail.slcs:4"), HasSubstr("smoothing")));
+  EXPECT_FALSE(read_slices(written(head + places + features)).approximated);
+  EXPECT_TRUE(read_slices(written(" 0 1\n2\n0\n2\n" + places)).approximated);
+  EXPECT_THAT(refused(" 0 1\n2\n0\n3\n" + places),
+              AllOf(HasSubstr("rail.slcs:4"), HasSubstr("3 is no way of interpolation")));
   EXPECT_THAT(refused(" 0 1\n2\n0\n1 1\n" + places),
               AllOf(HasSubstr("rail.slcs:4"), HasSubstr("perturbations")));
   EXPECT_THAT(refused(" 0 1\n2\n0\n1\n 5 'a.txt'\n 4 'b.txt'\n"),
@@ -462,13 +460,19 @@ TEST(SlicesFile, IsReadWithItsOptions) {
   EXPECT_THAT(refused(" 0 x\n3\n0\n1\n"), AllOf(HasSubstr("rail.slcs:1"), HasSubstr("'x' stands where")));
   EXPECT_THAT(refused(head + places + "2\n 7 0 1 2\n"), HasSubstr("a place at 7500 mm"));
   try {
-    sections_of_slices(written(" 0 1\n2\n0\n1\n 5 'a.txt'\n 9 'S1002'\n"), reading);
+    sections_of_slices(written(" 0 1\n2\n0\n1\n 5 'a.txt'\n 9 'S1002'\n"), ProfileKind::rail, reading);
     ADD_FAILURE();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), AllOf(HasSubstr("rail.slcs:6"), HasSubstr("S1002")));
   }
-  std::filesystem::rename(folder.path() / "rail.slcs", folder.path() / "wheel.slcw");
-  EXPECT_THROW(read_slices(folder.path() / "wheel.slcw"), InputError);
+  std::filesystem::rename(folder.path() / "rail.slcs", folder.path() / "wheel.SLCW");
+  EXPECT_TRUE(names_slices("wheel.SLCW") && names_slices("rail.Slcs"));
+  try {
+    sections_of_slices(folder.path() / "wheel.SLCW", ProfileKind::rail, reading);
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("gives the sections of a wheel"));
+  }
 }
 
 } // namespace

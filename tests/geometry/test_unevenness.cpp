@@ -44,7 +44,7 @@ double lowered_by_brute_force(const Unevenness& what) {
   const UnevenSurfaces surfaces(what, radius);
   double least = std::numeric_limits<double>::infinity();
   for (int i = -30000; i <= 30000; ++i) {
-    const double theta = i * 5e-6, r = radius - surfaces.wheel(theta);
+    const double theta = i * 5e-6, r = radius - surfaces.depth(theta);
     least = std::min(least, radius - r * std::cos(theta) + surfaces.rail(r * std::sin(theta)));
   }
   return least;
@@ -54,12 +54,12 @@ TEST(WheelFlat, IsTheChordOfTheCircle) {
   const UnevenSurfaces surfaces(new_flat(60), radius);
   const double half = std::asin(30 / radius), below = std::sqrt(radius * radius - 900);
   for (const double part : {-0.99, -0.5, 0.0, 0.3, 0.8})
-    EXPECT_NEAR((radius - surfaces.wheel(part * half)) * std::cos(part * half), below, 1e-12);
-  EXPECT_EQ(surfaces.wheel(1.001 * half), 0);
-  EXPECT_EQ(surfaces.wheel(pi), 0);
+    EXPECT_NEAR((radius - surfaces.depth(part * half)) * std::cos(part * half), below, 1e-12);
+  EXPECT_EQ(surfaces.depth(1.001 * half), 0);
+  EXPECT_EQ(surfaces.depth(pi), 0);
   Unevenness by_depth;
   by_depth.flat.depth = radius - below;
-  EXPECT_NEAR(UnevenSurfaces(by_depth, radius).wheel(0.01), surfaces.wheel(0.01), 1e-12);
+  EXPECT_NEAR(UnevenSurfaces(by_depth, radius).depth(0.01), surfaces.depth(0.01), 1e-12);
 }
 
 /// A depth of its own scales the chord; rounded edges leave the middle and the circle beyond as they are, and
@@ -69,11 +69,11 @@ TEST(WheelFlat, HasRoundedEdges) {
   what.flat.depth = 0.9;
   what.flat.rounding = 20;
   const UnevenSurfaces rounded(what, radius);
-  EXPECT_NEAR(rounded.wheel(0), 0.9, 1e-12);
-  EXPECT_EQ(rounded.wheel(41 / radius), 0);
+  EXPECT_NEAR(rounded.depth(0), 0.9, 1e-12);
+  EXPECT_EQ(rounded.depth(41 / radius), 0);
   double before = 0, slope = 0;
   for (double u = -45; u < 45; u += 0.01) {
-    const double here = rounded.wheel(u / radius);
+    const double here = rounded.depth(u / radius);
     if (u > -44.9) {
       EXPECT_NEAR((here - before) / 0.01, slope, 1e-4) << u;
     }
@@ -196,7 +196,7 @@ TEST(Unevenness, OfAYawedWheelTouchesWhereBruteForceTouches) {
     for (double s = wheel.s_begin(); s < wheel.s_end(); s += 0.1) {
       const Point2 p = wheel.at(s).position;
       for (double theta = -0.15; theta < 0.15; theta += 1e-3) {
-        const double r = radius + p.z - pair.uneven->wheel(theta);
+        const double r = radius + p.z - pair.uneven->depth(theta);
         const auto at = [&](int i) {
           return frame.centre[i] + p.y * frame.axle[i] +
                  r * (std::cos(theta) * frame.down[i] + std::sin(theta) * frame.forward[i]);

@@ -1,4 +1,5 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/movable_points.hpp"
 #include "bem_contact/profile/profile_curve.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "tests/base/message.hpp"
@@ -32,6 +33,29 @@ double spline_error(int intervals) {
         worst,
         std::abs(norm(curve.at(curve.s_begin() + f * (curve.s_end() - curve.s_begin())).position) - 10));
   return worst;
+}
+
+/// An upper body over a lower part with a corner: all points but one stay where they are, and corners stay.
+TEST(MovablePoints, OnePointMovesAlongItsNormal) {
+  std::vector<Point2> points = arc_points(10, 1, 20);
+  for (const double y : {-9.5, -10.5, -11.5})
+    points.push_back({y, points[20].z});
+  const ProfileCurve curve = ProfileCurve::through_points("arc", points, std::vector<std::size_t>{20});
+  const MovablePoints movable(curve);
+  ASSERT_EQ(movable.points().size(), points.size());
+  for (const std::size_t k : {0, 7, 20, 23}) {
+    const ProfileCurve moved = movable.moved(k, 0.01);
+    const std::vector<double> joints = moved.joints();
+    ASSERT_EQ(joints.size(), points.size());
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const Point2 wanted = i == k ? points[i] + 0.01 * movable.outwards(k) : points[i];
+      EXPECT_NEAR(norm(moved.at(joints[i]).position - wanted), 0, 1e-12) << k << " " << i;
+    }
+  }
+  const Point2 out = movable.outwards(7), from = points[7]; // out of the body, which lies above the arc
+  EXPECT_NEAR(dot(out, from) / 10, 1, 1e-4);
+  EXPECT_NEAR(norm(movable.moved(7, 0).at(curve.joints()[10]).position - points[10]), 0, 1e-12);
+  EXPECT_THROW(MovablePoints(standard_profile("60E1")), InputError);
 }
 
 TEST(ThroughPoints, converges_with_the_fourth_power_of_the_spacing) {

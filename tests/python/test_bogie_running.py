@@ -2,6 +2,8 @@
 
 import csv
 import os
+import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -100,6 +102,28 @@ class BogieRunning(unittest.TestCase):
             self.assertLess(abs(np.diff(values, 2)).max(), 1e-3 * stated, name)
             self.assertLess(abs(np.diff(slopes)).max(), 0.02 * abs(slopes).max(), name)
             np.testing.assert_allclose(np.diff(values) / 1e-3, (slopes[1:] + slopes[:-1]) / 2, atol=1e-3 * abs(slopes).max())
+
+    @unittest.skipUnless(shutil.which("cc"), "there is no C compiler")
+    def test_the_bogie_in_c_goes_the_same_way(self):
+        """The same equations, with the packed table and an integrator of its own."""
+        table = self.folder / "coned_bogie.h5"
+        subprocess.run([os.environ["BEM_CONTACT"], "table", table, "--columns", "Fx,Fy,Mz,reference_y,T_gamma", "--pack",
+                        self.folder / "bogie_table.c"], check=True, stdout=subprocess.DEVNULL)
+        program = self.folder / "bogie"
+        subprocess.run(["cc", "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wno-unused-function", "-Werror", "-O2", "-I", self.folder,
+                        Path(os.environ["EXAMPLES"]) / "bogie.c", "-o", program, "-lm"], check=True)
+        text = subprocess.run([program, "4e7", "2e4", "1", "0.5"], check=True, capture_output=True, text=True).stdout
+        found = np.array(text.splitlines()[-1].split()[1:], dtype=float)
+        one, _, states = bogie_running.through_the_curve(self.wheel, radius=4e7, speed=2e4, seconds=1.0, transition=0.5)
+        self.assertLess(found[0], -1)  # it has moved
+        np.testing.assert_allclose(found, states[-1], rtol=1e-4, atol=1e-7)
+        for line, (name, wheel) in zip(text.splitlines()[1:], bogie_running.of_wheels(one, states[-1]).items()):
+            self.assertIn(f"{name}: Fx {wheel['Fx'] / 1000:6.2f} +- {wheel['errors'][0] / 1000:.2f} kN, "
+                          f"Fy {wheel['Fy'] / 1000:6.2f}", line)
+        beyond = subprocess.run([program, "1e6"], capture_output=True, text=True)
+        self.assertEqual(beyond.returncode, 3)
+        self.assertIn("leaves the table (lateral is", beyond.stderr)
+        self.assertEqual(subprocess.run([program, "0"], capture_output=True).returncode, 2)
 
     def test_the_run_is_what_replay_reads(self):
         one, state = bogie_running.at_rest(self.wheel, 2e4, self.parameters, curve=1e7)

@@ -258,15 +258,13 @@ gap = { a = 1e-3, b = 1e-3 }
             found = bem_contact.fatigue(scene)
             for name in ("cases", "beyond_surface_limit", "beyond_limit_below", "damage"):
                 self.assertEqual(found[name], told[name], name)
-            self.assertEqual(set(found["patches"]), set(told["patches"]))
-            for name, values in told["patches"].items():
-                np.testing.assert_array_equal(found["patches"][name], values, name)
-            for mu, limit in zip(*(told["patches"][name] for name in ("mu_used", "p0_over_k_limit"))):
-                self.assertAlmostEqual(limit, shakedown.shakedown_limit(mu), 9, "the line of the picture")
+            self.assertEqual(found["patches"], told["patches"])  # a list of rows, as of one result
+            for patch in told["patches"]:
+                self.assertAlmostEqual(patch["p0_over_k_limit"], shakedown.shakedown_limit(patch["mu_used"]), 9, "the line of the picture")
         for case, xi in enumerate((2e-3, 4e-3)):
             one = bem_contact.fatigue(bem_contact.solve(self.SCENE, {"motion.xi": xi}))
             for name in ("von_mises", "tresca"):
-                self.assertAlmostEqual(one[name]["stress"] / told["patches"][name][case], 1, delta=1e-6)
+                self.assertAlmostEqual(one[name]["stress"] / told["patches"][case][name], 1, delta=1e-6)
 
 
 class TwoPointContact(unittest.TestCase):

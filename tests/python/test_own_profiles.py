@@ -73,6 +73,15 @@ class Sections(unittest.TestCase):
             self.assertAlmostEqual(r.pmax / one.pmax, 1, delta=off)
             self.assertAlmostEqual(r.vertical, one.vertical, delta=1e-6)
 
+    def test_of_standards_and_of_wheels(self):
+        scene = {**SCENE, "position": {**SCENE["position"], "along": 55.0}}
+        one = bem_contact.solve(SCENE, {"rail.profile": "60E1"})
+        for key, sections in (("rail.profile", bem_contact.Sections([0, 40, 100], ["60E1"] * 3)),
+                              ("wheel.profile", bem_contact.Sections([-2, 0, 2], ["S1002"] * 3, kind="wheel"))):
+            r = bem_contact.solve(scene, {"rail.profile": "60E1", key: sections})
+            self.assertAlmostEqual(r.pmax / one.pmax, 1, delta=1e-7)
+            self.assertAlmostEqual(r.vertical, one.vertical, delta=1e-6)
+
     def test_refuse_what_makes_no_rail(self):
         rail = bem_contact.Profile(*points("60E1"), kind="rail")
         for arguments, words in ((([0], [rail, rail]), "1 places, 2 profiles"), (([0, 1], [rail, rail], [[0, 1], [0]]), "more than others")):

@@ -58,7 +58,9 @@ TEST(Found, ContactsSayWhereHowHardAndWhatIsDissipated) {
                   "adheres.",
                   "On the rail act Fx -15900 +- 140 N, Fy 34790 +- 220 N and Fz 89419 N, where the wheelset "
                   "stands 6.438 mm to the right."));
-  EXPECT_THAT(found.next, Contains("Does the steel below yield? bem_contact shakedown SCENE.toml"));
+  EXPECT_THAT(found.next,
+              Contains(testing::Property(&NextQuestion::text,
+                                         "Does the steel below yield? bem_contact shakedown SCENE.toml")));
   // The same inclination upwards is the field side; each of two patches has its share of the force.
   EXPECT_THAT(
       found_in(contact({6e4, 2e4}, {0.02, -1.2}), "result").sentences.front(),

@@ -148,17 +148,31 @@ TEST(Record, IsSaidInWords) {
   EXPECT_THAT(text, HasSubstr("  p_n [2][3] MPa: pressure\n"));
 }
 
+/// A page finds errors beside their values, whether they are those of a number, a column or a field.
+TEST(Record, SaysErrorsToPagesBesideTheValues) {
+  const Record r{{"Fx", field({1, 2}, "N", "")},
+                 {"Fx_error", field({0.1, 0.2}, "N", "")},
+                 {"area_error", field({1}, "mm2", "of nothing here")},
+                 {"rows", Table{"row", {{"Fn", "N", "", {5, 6}}, {"Fn_error", "N", "", {0.5, 0.6}}}}}};
+  const json j = json::parse(to_described_json(r, [](std::string_view) { return false; }));
+  EXPECT_EQ(j["Fx"]["errors"], json({0.1, 0.2}));
+  EXPECT_EQ(j["rows"]["Fn"]["errors"], json({0.5, 0.6}));
+  EXPECT_FALSE(j.contains("Fx_error") || j["rows"].contains("Fn_error"));
+  EXPECT_TRUE(j.contains("area_error"));
+}
+
 /// The page's form: everything of a field beside its numbers; what is left out is left out.
 TEST(Record, IsDescribedForPages) {
   const json j =
       json::parse(to_described_json(sample(), [](std::string_view path) { return path == "quantities/mx"; }));
   EXPECT_EQ(j["attributes"]["model"], "fem");
   EXPECT_EQ(j["attributes"]["certified"], 1);
-  EXPECT_EQ(
-      j["quantities"]["Fx"],
-      json({{"unit", "N"}, {"description", "on the rail"}, {"shape", json::array()}, {"values", {3.25}}}));
-  EXPECT_EQ(j["quantities"]["Fx_error"]["values"], json({0.5}));
-  EXPECT_EQ(j["quantities"]["Fx_error"]["role"], "error");
+  EXPECT_EQ(j["quantities"]["Fx"], json({{"unit", "N"},
+                                         {"description", "on the rail"},
+                                         {"shape", json::array()},
+                                         {"values", {3.25}},
+                                         {"errors", {0.5}}}));
+  EXPECT_FALSE(j["quantities"].contains("Fx_error"));
   EXPECT_FALSE(j["quantities"].contains("mx"));
   EXPECT_EQ(j["patches"]["Fn"]["values"], json({5.5, 2.5}));
   EXPECT_EQ(j["p_n"]["shape"], json({2, 3}));

@@ -289,6 +289,16 @@ class Report(unittest.TestCase):
             done = subprocess.run([shutil.which("node"), "-e", f"{script}; console.log(number({call}))"], capture_output=True, text=True, check=True)
             self.assertEqual(done.stdout.strip().replace("\u00a0", " "), text)
 
+    def test_no_cell_of_a_table_is_a_formula(self):
+        """As record::csv_text(): a spreadsheet would compute what begins with one of these."""
+        if not shutil.which("node"):
+            self.skipTest("node is not installed")
+        script = "const document = {getElementById: () => ({})}, window = {addEventListener: () => {}};"
+        script += (ROOT / "bem_contact" / "report" / "drawing.js").read_text()
+        done = subprocess.run([shutil.which("node"), "-e", f"{script}; console.log(csvOf([['=1+1', '@a', '-1.5', '+2', 'a, b', 7]]))"],
+                              capture_output=True, text=True, check=True)
+        self.assertEqual(done.stdout.strip(), '" =1+1"," @a",-1.5," +2","a, b",7')
+
     def look_at_differences(self, show):
         """Of each model, what it has more than the first one; each kind of warning once."""
         rows = show.value("[...document.querySelectorAll('#quantities-at_equal_forces tr')].map(r => [...r.cells].map(c => c.textContent))")

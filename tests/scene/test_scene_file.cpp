@@ -254,9 +254,29 @@ TEST(SceneFile, uneven_wheels_and_rails) {
   EXPECT_THAT(refusal(flat + "rail.roller_radius = 500\n"), HasSubstr("on a roller rig"));
   EXPECT_THAT(refusal(flat + "motion = { kind = 'transient', steps = 3 }\n"),
               HasSubstr("sweep position.along"));
-  EXPECT_THAT(refusal("rail.profile = '60E1'\nwheel.profile = 'S1002'\nwheelset.force = 2e5\n"
-                      "rail.joint.step = 1\n"),
-              HasSubstr("both wheels as round"));
+}
+
+TEST(SceneFile, wheels_of_sections) {
+  const std::string own = "rail.profile = '60E1'\nload.force = 1e5\n",
+                    two = own +
+                          "wheel.sections = [ { at = 0, profile = 'S1002' }, { at = 3, profile = 'P8', kink "
+                          "= true } ]\n";
+  const SceneFile f = parse_scene_file(two + "position.along = 12\nwheel.sections_angle = 0.5\n");
+  ASSERT_EQ(f.wheel.sections.size(), 2u);
+  EXPECT_EQ(f.wheel.sections[1].at, 3);
+  EXPECT_TRUE(f.wheel.sections[1].kink && f.wheel.reading.keep_origin && f.changes_along());
+  EXPECT_EQ(f.position.uneven.sections_angle, 0.5);
+  EXPECT_THAT(f.unused, IsEmpty());
+  const SceneFile again = parse_scene_file(scene_with_defaults(f));
+  EXPECT_EQ(again.wheel.sections, f.wheel.sections);
+  EXPECT_EQ(again.wheel.profile, "S1002");
+  EXPECT_THAT(refusal(two + "wheel.profile = 'S1002'\n"), HasSubstr("wheel.sections is given too"));
+  EXPECT_THAT(refusal(two + "wheel.flat.depth = 0.5\n"), HasSubstr("wheel.flat is given too"));
+  EXPECT_THAT(refusal("load.force = 1e5\nwheel.profile = 'a.slcw'\nrail.profile = 'b.SLCS'\n"),
+              HasSubstr("Give sections of one of the two"));
+  EXPECT_THAT(refusal(two + "solver.model = 'fem'\nrail.influence = 'a.h5'\nwheel.influence = 'b.h5'\n"),
+              AllOf(HasSubstr("wheel.sections ("), HasSubstr("Choose solver.model")));
+  EXPECT_THAT(refusal(two + "solver.model = 'simplified'\n"), HasSubstr("the wheel as round"));
 }
 
 TEST(SceneFile, rails_of_sections) {

@@ -5,9 +5,12 @@
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/solution/derivatives_of.hpp"
 #include "bem_contact/sequence/solution/grow_grid.hpp"
+#include "bem_contact/sequence/solution/profile_changes.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/scene/derivative_inputs.hpp"
+#include "tests/base/temporary_folder.hpp"
 #include "tests/sanitized.hpp"
 
 #include <fmt/format.h>
@@ -17,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <map>
 #include <random>
 #include <utility>
@@ -47,7 +51,20 @@ public:
   const GridSolution& solved() const { return solved_; }
   std::vector<InputDerivatives> derivatives() {
     WorkBudget work;
-    return derivatives_of(asked_, solved_, {.work = work});
+    return derivatives_of(asked_, solved_, {.work = work}).numbers;
+  }
+  std::vector<ProfileDerivatives> profiles() {
+    WorkBudget work;
+    return derivatives_of(asked_, solved_, {.work = work}).profiles;
+  }
+  /// The whole solutions where one point of a profile is moved to both sides, and by how much.
+  struct Sides {
+    Numbers lower, upper;
+    double step;
+  };
+  Sides at_point(std::size_t which) {
+    const ChangedContact changed = ProfileChanges(asked_, solved_).changed(which);
+    return {solved_again(changed.lower_case), solved_again(changed.upper_case), changed.step};
   }
   /// The whole solution with another value of a number.
   Numbers at(int which, double change) {
@@ -55,15 +72,18 @@ public:
     *derivative_inputs(scene)[std::size_t(which)].value += change;
     ContactCase moved = prepare_case(scene, files_);
     moved.files = asked_.files;
-    WorkBudget work;
-    GridSolution there = solve_on_grid(moved, moved.setup.on(solved_.contact.plan), {model_}, {.work = work});
-    EXPECT_TRUE(there.result.certified());
-    return numbers_of(moved, there);
+    return solved_again(moved);
   }
   Numbers here() { return numbers_of(asked_, solved_); }
 
 private:
   static bool has_files(Model model) { return model == Model::fem; }
+  Numbers solved_again(const ContactCase& moved) {
+    WorkBudget work;
+    GridSolution there = solve_on_grid(moved, moved.setup.on(solved_.contact.plan), {model_}, {.work = work});
+    EXPECT_TRUE(there.result.certified());
+    return numbers_of(moved, there);
+  }
   static Numbers numbers_of(const ContactCase& asked, const GridSolution& solved) {
     SceneResult r;
     r.problem = solved.contact.problem;
@@ -255,6 +275,7 @@ TEST(Derivatives, AreRefusedWithAReason) {
   EXPECT_THAT(refusal(by_load + "motion.frictionless = true\nsolver.model = 'hertz'\n"),
               HasSubstr("closed form"));
   EXPECT_THAT(refusal("derivatives = ['lateral']\n"), HasSubstr("'lateral'"));
+  EXPECT_THAT(refusal("derivatives = ['rail_profile']\n"), HasSubstr("a patch has no profiles"));
   EXPECT_THAT(refusal("derivatives = ['laod']\n"), HasSubstr("Did you mean \"load\"?"));
   EXPECT_THAT(refusal("derivatives = ['friction']\nmotion.frictionless = true\n"), HasSubstr("'friction'"));
   try {
@@ -277,6 +298,56 @@ TEST(Derivatives, OnTheTread) {
   EXPECT_LT(c.worst, 1e-5) << c.worst_name;
   EXPECT_LT(c.outside, 1e-3) << c.outside_name;
   EXPECT_GE(c.smooth, 6);
+}
+
+/// A file with points of a standard, `step` mm apart.
+std::string points_file(const TemporaryFolder& folder, const std::string& standard, double step) {
+  const std::string file = folder.path() / (standard + ".csv");
+  std::ofstream out(file);
+  for (const CurvePoint& p : points_along(standard_profile(standard), step))
+    out << fmt::format("{:.9f},{:.9f}\n", p.position.y, p.position.z);
+  return file;
+}
+
+/// Every point of rail and wheel that is near, against whole solutions with this point moved.
+TEST(Derivatives, OfThePointsOfProfilesAreThoseOfDifferences) {
+  NEEDS_NO_SANITIZER();
+  const TemporaryFolder folder;
+  HeldGrid held(parse_scene_file(fmt::format(
+                    "rail.profile = '{}'\nwheel.profile = '{}'\nload.force = 8e4\nposition.lateral = 1.3\n"
+                    "motion = {{ xi = 1e-3, eta = 5e-4, phi = 1e-4 }}\ngrid = {{ dx = 1, ds = 1 }}\n"
+                    "solver.tolerance = 1e-12\nderivatives = ['rail_profile', 'wheel_profile']\n",
+                    points_file(folder, "60E1", 2), points_file(folder, "S1002", 2))),
+                Model::halfspace);
+  const std::vector<ProfileDerivatives> found = held.profiles();
+  ASSERT_EQ(found.size(), 2U);
+  std::size_t which = 0;
+  for (const ProfileDerivatives& profile : found) {
+    std::vector<double> largest(derived_totals().size(), 0.0);
+    for (const InputDerivatives& d : profile.by_point)
+      for (std::size_t n = 0; n < largest.size(); ++n)
+        largest[n] = std::max(largest[n], std::abs(d.totals[n]));
+    int compared = 0;
+    double sum = 0;
+    for (const InputDerivatives& d : profile.by_point) {
+      if (d.patches.empty()) // far away
+        continue;
+      const HeldGrid::Sides sides = held.at_point(which++);
+      if (std::min(d.below, d.above) < 2 * sides.step)
+        continue;
+      ++compared;
+      for (std::size_t n = 0; n < largest.size(); ++n) {
+        const std::string name(derived_totals()[n]);
+        const double noise = 1e-11 * std::abs(sides.upper.all.at(name)) / sides.step,
+                     difference = (sides.upper.all.at(name) - sides.lower.all.at(name)) / (2 * sides.step);
+        if (largest[n] > 0)
+          EXPECT_NEAR(d.totals[n], difference, 1e-5 * largest[n] + noise) << profile.name << " " << name;
+      }
+      sum += d.totals[7];
+    }
+    EXPECT_GE(compared, 15) << profile.name;
+    EXPECT_NE(sum, 0);
+  }
 }
 
 /// A random scene, with the model that solves it.

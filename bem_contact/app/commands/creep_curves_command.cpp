@@ -3,7 +3,6 @@
 #include "bem_contact/app/number_list.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/print_answer.hpp"
-#include "bem_contact/app/sweep/numbers_by_children.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -13,6 +12,7 @@
 #include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
+#include "bem_contact/task/tasks.hpp"
 #include "bem_contact/uses/curves/creep_record.hpp"
 #include "bem_contact/uses/curves/measured_forces.hpp"
 
@@ -156,36 +156,13 @@ void write_curves(std::ostream& out, const CreepCurves& c) {
   }
 }
 
-CreepSolver creep_points_by_children(const SceneFile& scene, int jobs) {
-  return [&scene, jobs](const HeldContact& held, std::span<const Creepages> points) {
-    const ItemsOfWork work{
-        .count = points.size(),
-        .solve =
-            [&](CaseRange chunk, const ItemsOfWork::Give& give) {
-              for (const CreepPoint& p : creep_points(scene, held, points.subspan(chunk.first, chunk.size())))
-                give({p.forces[0], p.forces[1], p.forces[2], p.forces[0].error, p.forces[1].error,
-                      p.forces[2].error, p.coarse[0], p.coarse[1], p.coarse[2], p.adhesion_share,
-                      double(p.certified)});
-            },
-        .name =
-            [&](std::size_t i) {
-              return fmt::format("A point of the creep curves, from xi = {:g}, eta = {:g}, phi = {:g} on,",
-                                 points[i][0], points[i][1], points[i][2]);
-            }};
-    std::vector<CreepPoint> out;
-    for (const std::vector<double>& n : numbers_by_children(work, jobs))
-      out.push_back({0, {{{n[0], n[3]}, {n[1], n[4]}, {n[2], n[5]}}}, {n[6], n[7], n[8]}, n[9], n[10] != 0});
-    return out;
-  };
-}
-
 ExitCode run(const CreepArguments& arguments) {
   const std::vector<CreepRange> ranges = ranges_of(arguments.ranges);
   const std::vector<Output> outputs{{"--output", arguments.output, OutputForm::whole_file},
                                     {"--csv", arguments.csv}};
   const GivenScene given = read_given_scene_for(outputs, arguments.scene, arguments.model);
   const CreepSolver solver =
-      arguments.jobs == 1 ? nullptr : creep_points_by_children(given.scene, arguments.jobs);
+      arguments.jobs == 1 ? nullptr : task::creep_points_by(task::in_children(arguments.jobs), given.text);
   Answer answer;
   if (!arguments.measured.empty()) {
     require_named_outputs({arguments.measured}, outputs);

@@ -60,7 +60,8 @@ explore::Start start_of_result(const std::filesystem::path& file) {
   const record::Record stored = record::read_hdf5_top(file, "inputs");
   const std::string folder(record::text_at(stored, "scene_folder").value_or(""));
   explore::Start start{.scene = {stored_scene(file, false), fmt::format("the scene of '{}'", file.string()),
-                                 (file.parent_path() / folder).lexically_normal()}};
+                                 (file.parent_path() / folder).lexically_normal()},
+                       .file = file.string()};
   if (const auto model = record::text_at(stored, "model_option"); model && !model->empty())
     start.changes.push_back({"solver.model", std::string(*model)});
   for (const InputRecord& input : stored_inputs(stored))
@@ -74,7 +75,7 @@ explore::Start start_of_result(const std::filesystem::path& file) {
 explore::Start start_of(const std::string& file) {
   if (file.empty())
     return {.scene = {first_scene, "the first scene"}};
-  return is_hdf5(file) ? start_of_result(file) : explore::Start{.scene = read_scene_text(file)};
+  return is_hdf5(file) ? start_of_result(file) : explore::Start{.scene = read_scene_text(file), .file = file};
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/print_answer.hpp"
 #include "bem_contact/app/scene_options.hpp"
+#include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/comma_separated.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/record/file_kinds.hpp"

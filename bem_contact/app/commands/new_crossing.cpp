@@ -20,7 +20,7 @@ namespace bem_contact::app {
 namespace {
 
 /// mm below the top. How deep wing, nose and flangeway are drawn: deeper than a flange.
-constexpr double depth = 32;
+constexpr double drawn_depth = 32;
 /// rad. How far the tops of wing and nose lean towards the track's centre: 1:40.
 constexpr double lean = 0.025;
 /// mm. Radius of the nose's corner on its field side; a thin nose has a smaller one, in widths (1).
@@ -51,7 +51,8 @@ void add_line(std::vector<Point2>& points, Point2 to) {
     points.push_back(from + (static_cast<double>(i) / parts) * (to - from));
 }
 
-/// The head of a rail, leaning, with its top at z = 0 and its gauge face at y = 0, as far down as `depth`.
+/// The head of a rail, leaning, with its top at z = 0 and its gauge face at y = 0, as far down as
+/// `drawn_depth`.
 std::vector<Point2> head_points(const std::string& rail) {
   std::vector<Point2> points;
   for (const CurvePoint& p : points_along(named_profile(rail, ProfileKind::rail), point_spacing))
@@ -61,15 +62,15 @@ std::vector<Point2> head_points(const std::string& rail) {
     p.z -= top;
   const auto crest = std::ranges::min_element(points, {}, &Point2::z);
   auto from = crest, to = crest;
-  while (from != points.begin() && from->z < depth)
+  while (from != points.begin() && from->z < drawn_depth)
     --from;
-  while (to + 1 != points.end() && to->z < depth)
+  while (to + 1 != points.end() && to->z < drawn_depth)
     ++to;
-  if (from->z < depth)
-    throw InputError(
-        fmt::format("The rail '{}' makes no wing rail", rail),
-        fmt::format("its gauge face ends {:.3g} mm below the top, and {:g} mm are needed", from->z, depth),
-        "Give a profile that reaches further down, as 60E1 does.");
+  if (from->z < drawn_depth)
+    throw InputError(fmt::format("The rail '{}' makes no wing rail", rail),
+                     fmt::format("its gauge face ends {:.3g} mm below the top, and {:g} mm are needed",
+                                 from->z, drawn_depth),
+                     "Give a profile that reaches further down, as 60E1 does.");
   std::vector<Point2> out(from, to + 1);
   const double face = std::ranges::min(out, {}, &Point2::y).y;
   for (Point2& p : out)
@@ -96,7 +97,7 @@ private:
 };
 
 /// The rail's own gauge side with a round corner at the width of the nose, `lower` than the rail.
-void add_nose(CrossingSection& out, const Head& head, double width, double inner_line, double lower) {
+void add_nose(CrossingSection& out, const Head& head, double width, double inner, double lower) {
   const double r = std::min(corner, widest_corner * width);
   const Point2 down{0, lower};
   double delta = 0; // where the corner begins its slope is that of the head
@@ -110,13 +111,13 @@ void add_nose(CrossingSection& out, const Head& head, double width, double inner
     else
       break;
   out.points.push_back(begin.position + down);
-  out.nose_lines = {out.points.front(), head.across(inner_line).position + down, out.points.back()};
+  out.nose_lines = {out.points.front(), head.across(inner).position + down, out.points.back()};
   const int parts = std::max(8, static_cast<int>(std::ceil(2 * r / point_spacing)));
   for (int i = 1; i <= parts; ++i) {
     const double to = delta + (std::numbers::pi / 2 - delta) * i / parts;
     out.points.push_back(centre + r * Point2{std::sin(to), -std::cos(to)});
   }
-  add_line(out.points, {width, depth});
+  add_line(out.points, {width, drawn_depth});
   out.nose_lines.push_back(out.points.back());
 }
 
@@ -190,8 +191,10 @@ friction = {friction:g}
 dx = 0.8                    # mm
 ds = 0.5
 
-[sweep]
-position.along = {{ from = {from:g}, to = {to:g}, step = {step:g} }}
+[passage]
+from = {from:g}                 # mm along the track
+to = {to:g}
+step = {step:g}
 
 # The sections: a rail whose wing leads away from {knee:g} mm on, and a nose that begins {nose_width:g} mm wide and {nose_drop:g} mm
 # too low. `features` are the lines that join them; `without` says which of them a section does not have.

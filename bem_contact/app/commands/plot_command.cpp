@@ -21,7 +21,9 @@ You should see the patch with its pressure, a cut through it, and the numbers: t
 FILE         written by       the picture shows
 result       solve -o         patch with adhesion, slip and traction; a cut with the bound of friction; section or stresses
 comparison   compare -o       a patch for each model on one scale, section, pressures and their differences, numbers
-sweep        sweep -o         patches over y; pressure, area, forces, T-gamma over the key that varies
+sweep        sweep -o         patches over y; pressure, area, forces, T-gamma over the key that varies; along the track
+                              patches from above, the wheel's centre from the side, and a film
+sections     you              of a scene with sections or a slices file, from above: which points are joined
 creep curves creep-curves -o  forces over creepages, the bound of friction, Kalker's slopes
 fit          fit -o           measured forces, the curve that was fitted to them, and its band
 conicity     conicity -o      rolling radius difference, contact points, equivalent conicity

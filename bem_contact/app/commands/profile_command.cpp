@@ -1,4 +1,5 @@
 #include "bem_contact/app/command.hpp"
+#include "bem_contact/app/commands/section_lines.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/placed_standard.hpp"
 #include "bem_contact/app/output/profile_report.hpp"
@@ -33,7 +34,8 @@ namespace {
 constexpr const char* profile_help =
     R"(The file is read as a scene would read it; warnings say what was repaired. It is a measured profile (MiniProf, Simpack,
 Vampire, or two columns y and z), the name of a standard (60E1, UIC60, "S1002 h28 e30.5 6.7%"; --list prints all) or a
-body file (.toml). The options do what keys
+body file (.toml). Of a slices file (.slcs, .slcw) or a scene with sections it says along which lines these are joined; --csv has
+the lines, and bem_contact plot draws them from above. The options do what keys
 of the same name do in [rail] and [wheel] of a scene (data/scenes/README.md). Example, with a worn wheel of this
 project:
     bem_contact profile data/bodies/hollow_wheel.txt --kind wheel
@@ -138,6 +140,17 @@ std::string fit_text(const ProfileArguments& arguments, const MeasuredProfile& p
   return out;
 }
 
+ExitCode run_of_sections(const ProfileArguments& arguments, const SectionLines& lines) {
+  if (arguments.json || !arguments.plot.empty() || !arguments.against.empty())
+    throw InputError(fmt::format("'{}' holds many profiles", arguments.name),
+                     "--json, --plot and --against are of one",
+                     "Name one of them; --csv has the lines through all, and bem_contact plot draws them.");
+  if (!arguments.csv.empty())
+    write_whole(arguments.csv, [&](std::ostream& out) { out << lines.csv; });
+  print_out("{}", lines.words);
+  return success;
+}
+
 ExitCode run(ProfileArguments arguments) {
   if (arguments.list) {
     if (!arguments.name.empty()) // for scripts: which standard is it?
@@ -161,6 +174,8 @@ ExitCode run(ProfileArguments arguments) {
                         {{"--csv", arguments.csv}, {"--plot", arguments.plot}});
   if (!arguments.on.empty())
     return run_on(arguments);
+  if (const auto lines = section_lines(arguments.name, arguments.reading))
+    return run_of_sections(arguments, *lines);
   const ProfileKind kind = kind_of_profile(arguments.name, arguments.kind);
   const MeasuredProfile profile = described_profile(arguments.name, kind, arguments.reading);
   if (!arguments.csv.empty())

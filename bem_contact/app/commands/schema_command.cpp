@@ -133,7 +133,9 @@ json object_of(const std::vector<KeyDescription>& keys, std::size_t skipped) {
 void add_commands(json& properties) {
   for (const std::string_view table : command_tables) {
     json& one = properties[std::string(table)];
-    one = {{"type", "object"}, {"description", fmt::format("options of bem_contact {}", table)}};
+    one = {{"type", "object"},
+           {"description", table == "passage" ? "places along the track, for bem_contact sweep"
+                                              : fmt::format("options of bem_contact {}", table)}};
     if (option_keys(table).empty() || table == "table") // any key of a scene
       continue;
     one["additionalProperties"] = false;

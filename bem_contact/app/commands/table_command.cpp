@@ -2,7 +2,6 @@
 #include "bem_contact/app/number_list.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/print_answer.hpp"
-#include "bem_contact/app/sweep/numbers_by_children.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
@@ -12,6 +11,7 @@
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
+#include "bem_contact/task/tasks.hpp"
 #include "bem_contact/uses/table/creep_table.hpp"
 #include "bem_contact/uses/table/packed_table.hpp"
 #include "bem_contact/uses/table/scene_table.hpp"
@@ -159,14 +159,14 @@ void write_packed(const TableArguments& arguments) {
             fmt::join(arguments.columns, ", "), counted(std::ptrdiff_t(t.size()), "point", "points"));
 }
 
-/// What is solved, and what the file says of it.
+/// What is solved, by whom, and what the file says of it.
 struct Order {
   table::ContactTable table;
-  std::function<table::PointSolver()> make_solver;
+  table::PointsSolver solve;
   std::optional<GivenScene> given;
 };
 
-Order creep_order(TableArguments& arguments) {
+Order creep_order(TableArguments& arguments, const task::Done& done) {
   const std::vector<double> ratio = numbers_of(arguments.ratio, ':', "--ratio", "0.5:2");
   if (ratio.size() != 2)
     throw InputError(fmt::format("--ratio '{}' cannot be used", arguments.ratio), "it needs two ends",
@@ -174,52 +174,18 @@ Order creep_order(TableArguments& arguments) {
   arguments.options.from = ratio[0], arguments.options.to = ratio[1];
   arguments.options.tolerance = arguments.wanted.tolerance;
   Order order{table::creep_table(arguments.options), {}, {}};
-  order.make_solver = [scale = *order.table.scale, elements = arguments.options.elements] {
-    return table::creep_point_solver(scale, elements);
-  };
+  order.solve = task::points_by(task::in_children(arguments.jobs), *order.table.scale,
+                                arguments.options.elements, done);
   return order;
 }
 
-Order scene_order(TableArguments& arguments) {
+Order scene_order(TableArguments& arguments, const task::Done& done) {
   table::SceneTable described = table::parse_scene_table(read_scene_text(arguments.input));
   described.model = arguments.model;
   arguments.wanted.rescale = table::rescale;
-  Order order{table::table_of(described), {}, {}};
   const SceneFile scene = table::first_scene(described);
-  order.given = GivenScene{described.text, described.model, scene, inputs_of(scene)};
-  order.make_solver = [described] { return table::scene_point_solver(described); };
-  return order;
-}
-
-/// Solves points in `jobs` processes side by side. `make` gives a solver with a Sequence of its own.
-table::PointsSolver side_by_side(std::function<table::PointSolver()> make, int jobs, std::size_t columns,
-                                 std::optional<Progress>& progress) {
-  return [make = std::move(make), jobs, columns, &progress](std::span<const table::Point> points) {
-    if (!points.empty())
-      progress ? progress->extend(points.size()) : void(progress.emplace("contacts", points.size()));
-    const ItemsOfWork work{.count = points.size(),
-                           .solve =
-                               [&](CaseRange chunk, const ItemsOfWork::Give& give) {
-                                 const table::PointSolver solve = make();
-                                 for (const table::Point& point : points.subspan(chunk.first, chunk.size())) {
-                                   table::PointValues found = solve(point);
-                                   std::ranges::copy(found.element_errors, std::back_inserter(found.values));
-                                   give(std::move(found.values));
-                                 }
-                               },
-                           .name =
-                               [&](std::size_t i) {
-                                 return fmt::format("The point ({:.6g}) of the table",
-                                                    fmt::join(points[i], ", "));
-                               },
-                           .done = [&](std::size_t more) { progress->step(more); }};
-    std::vector<table::PointValues> out;
-    for (const std::vector<double>& numbers : numbers_by_children(work, jobs)) {
-      const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(columns);
-      out.push_back({{numbers.begin(), middle}, {middle, numbers.end()}});
-    }
-    return out;
-  };
+  return {table::table_of(described), task::points_by(task::in_children(arguments.jobs), described, done),
+          GivenScene{described.text, described.model, scene, inputs_of(scene)}};
 }
 
 ExitCode run(TableArguments arguments) {
@@ -238,17 +204,21 @@ ExitCode run(TableArguments arguments) {
   if (arguments.output.empty() && arguments.text.empty())
     throw InputError("The table has no file", "neither --output nor --text is given",
                      "Give -o TABLE.h5 to make a table, or --at to look one up.");
-  Order order = arguments.creep ? creep_order(arguments) : scene_order(arguments);
+  std::optional<Progress> progress;
+  const auto done = [&](std::size_t more) { progress->step(more); };
+  Order order = arguments.creep ? creep_order(arguments, done) : scene_order(arguments, done);
   const std::vector<std::filesystem::path> inputs =
       order.given ? files_read(arguments.input, order.given->scene) : std::vector<std::filesystem::path>{};
   require_named_outputs(inputs,
                         {{"--output", arguments.output, OutputForm::whole_file}, {"--text", arguments.text}});
   arguments.wanted.progress = [](const std::string& text) { spdlog::info("the table has {}", text); };
   const Stopwatch watch;
-  std::optional<Progress> progress;
-  table::refine(order.table,
-                side_by_side(order.make_solver, arguments.jobs, order.table.columns.size(), progress),
-                arguments.wanted);
+  const table::PointsSolver counted_points = [&](std::span<const table::Point> points) {
+    if (!points.empty())
+      progress ? progress->extend(points.size()) : void(progress.emplace("contacts", points.size()));
+    return order.solve(points);
+  };
+  table::refine(order.table, counted_points, arguments.wanted);
   if (progress)
     progress->finish();
   const double seconds = watch.seconds();

@@ -84,7 +84,7 @@ record::Record record_of(const ContactCase& one, const std::string& scene) {
       {"refused", record::Texts{one.refused, "why there is no scene"}}};
 }
 
-ExitCode convert(const std::string& input, const std::filesystem::path& name, bool json) {
+ExitCode convert(const std::string& input, const std::filesystem::path& name, bool as_json) {
   auto [cases, broken] = read_contact_cases(input);
   OutputFolder folder(name, {.maker = "from-contact", .alone = false, .inputs = {input}});
   for (const ContactCase& one : cases) // before one is written
@@ -94,11 +94,11 @@ ExitCode convert(const std::string& input, const std::filesystem::path& name, bo
   for (ContactCase& one : cases) {
     const std::string scene = write_case(one, input, folder);
     without += scene.empty();
-    if (!json)
+    if (!as_json)
       print_case(one, scene);
     all.add(fmt::format("{:05}", one.first), record_of(one, scene));
   }
-  if (json)
+  if (as_json)
     print_out("{}\n", record::to_json(headed(from_contact_format)
                                           .add("cases", std::move(all))
                                           .add("broken", broken ? broken->what() : "")));

@@ -3,9 +3,9 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/profile/formats/profile_formats.hpp"
 #include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/profile/sections/slices_file.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
@@ -16,13 +16,6 @@
 namespace bem_contact::app::from_contact {
 
 namespace {
-
-std::string lower_ending(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
 
 /// The length unit that multiplies by `scale`; "": there is none.
 std::string unit_of(double scale) {
@@ -65,8 +58,6 @@ bool ProfileKeys::mirror() const {
 }
 
 void ProfileKeys::add(ContactCase& out) const {
-  if (lower_ending(file_) == ".slcw")
-    return out.refuse(fmt::format("'{}': a profile that changes round the wheel", given_.text));
   out.set_text(body_ + ".profile", file_.generic_string());
   if (mirror())
     out.set(body_ + ".mirror", "true");
@@ -104,7 +95,8 @@ void ProfileKeys::add_smoothing(ContactCase& out) const {
 std::optional<MeasuredProfile> ProfileKeys::read(ContactCase& out) const {
   try {
     return measured_profile(
-        file_, body_ == "rail" ? ProfileKind::rail : ProfileKind::wheel,
+        is_of_sections() ? read_slices(file_).slices.front().profile : file_,
+        body_ == "rail" ? ProfileKind::rail : ProfileKind::wheel,
         {.unit = value_named<ProfileUnit>(unit_of(given_["SCALE"])).value_or(ProfileUnit::found),
          .mirror = mirror(),
          .keep_origin = true});
@@ -139,8 +131,8 @@ bool ProfileKeys::keeps_origin() const {
   return given_["MIRRORY"] != 0 || is_simpack();
 }
 
-bool ProfileKeys::changes_along() const {
-  return lower_ending(file_) == ".slcs";
+bool ProfileKeys::is_of_sections() const {
+  return names_slices(file_);
 }
 
 } // namespace bem_contact::app::from_contact

@@ -29,8 +29,8 @@ public:
   std::optional<GaugePoint> gauge_point(double cant, double height, ContactCase& out) const;
   /// Whether a scene keeps the origin of the file, too, where a rail is placed by its gauge.
   bool keeps_origin() const;
-  /// Whether it is a file of sections along the track.
-  bool changes_along() const;
+  /// Whether it is a file of sections along the track or round the wheel.
+  bool is_of_sections() const;
 
 private:
   bool is_simpack() const;

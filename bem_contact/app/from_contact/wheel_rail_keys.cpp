@@ -88,7 +88,7 @@ void add_rail_place(const CaseState& state, const ProfileKeys& rail, ContactCase
   const bool by_gauge = t["GAUGHT"] > 0;
   if (by_gauge && t["GAUGSQ"] > 1)
     out.refuse(fmt::format("GAUGSQ = {}: the gauge point is the innermost one here", t["GAUGSQ"]));
-  if (by_gauge && rail.changes_along())
+  if (by_gauge && rail.is_of_sections())
     return out.refuse(
         "GAUGHT of a rail that changes along the track: give RAILY0 and RAILZ0 with GAUGHT = -1");
   const std::optional<GaugePoint> gauge =
@@ -196,14 +196,18 @@ void add_wheel_rail_keys(const CaseState& state, const std::filesystem::path& fo
       wheel(state[Data::wheel_profile], folder, "wheel");
   rail.add(out);
   wheel.add(out);
-  if (!out.refused.empty()) // a profile round the wheel has no height to be read
+  if (!out.refused.empty())
     return;
   add_elements(state, out);
   add_track(state, rail, out);
   add_wheelset(state, out);
   add_pose(state, out);
-  if (rail.changes_along())
+  if (rail.is_of_sections())
     out.set("position.along", state[Data::position]["S"]);
+  if (wheel.is_of_sections()) // PITCH turns what is below the axle forwards; here the wheel has rolled from 0
+    out.set("wheel.sections_angle",
+            state[Data::position].number("PITCH", 0) +
+                (rail.is_of_sections() ? state[Data::position]["S"] / state[Data::wheelset]["NOMRAD"] : 0));
   add_velocity(state, out);
   leave_out_zeros(out);
 }

@@ -1,7 +1,9 @@
 #include "bem_contact/app/output/derivatives_text.hpp"
 
+#include "bem_contact/sequence/derivative_record.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
@@ -25,9 +27,22 @@ double total_of(const InputDerivatives& input, std::string_view name) {
   return std::nan("");
 }
 
-} // namespace
+/// Where a profile is worth most.
+std::string profile_text(const ProfileDerivatives& profile) {
+  std::string out = fmt::format("derivatives by {} points of {} along their normals, where they are largest:",
+                                profile.points.size(), profile.name);
+  for (const std::string_view name : shown) {
+    const auto at = [&](const InputDerivatives& point) { return std::abs(total_of(point, name)); };
+    const auto largest = std::ranges::max_element(profile.by_point, {}, at);
+    if (name != "Fz" && at(*largest) > 0)
+      out += fmt::format("\n{:>24} {:>12.5g} {} at s = {:.2f} mm", name, total_of(*largest, name),
+                         unit_per(quantity(name).unit.of(false), "mm"),
+                         profile.points[std::size_t(largest - profile.by_point.begin())].s);
+  }
+  return out + "\n";
+}
 
-std::string derivatives_text(const SceneResult& r) {
+std::string numbers_text(const SceneResult& r) {
   if (r.derivatives.empty())
     return "";
   std::string out = fmt::format("derivatives, on these elements with their states:\n{:>24}", "by");
@@ -41,6 +56,15 @@ std::string derivatives_text(const SceneResult& r) {
       out += fmt::format(" {:>12.5g}", total_of(input, name));
     out += fmt::format("  -{} +{}\n", reach_text(input.below), reach_text(input.above));
   }
+  return out;
+}
+
+} // namespace
+
+std::string derivatives_text(const SceneResult& r) {
+  std::string out = numbers_text(r);
+  for (const ProfileDerivatives& profile : r.profile_derivatives)
+    out += profile_text(profile);
   return out;
 }
 

@@ -6,7 +6,6 @@
 #include "bem_contact/record/hdf5.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <fmt/format.h>
 #include <optional>
 #include <system_error>
@@ -18,8 +17,7 @@ namespace {
 void require_ending(const Output& output, const char* what, std::vector<std::string> own) {
   constexpr const char* of_other_files[] = {".h5",  ".hdf5", ".csv", ".json", ".txt", ".toml", ".html",
                                             ".png", ".pdf",  ".svg", ".vtk",  ".vts", ".vtu",  ".xlsx"};
-  std::string ending = output.file.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string ending = lower_ending(output.file);
   if (std::ranges::count(own, ending) == 0 && std::ranges::count(of_other_files, ending) > 0)
     throw InputError(
         fmt::format("'{}' of {} would have a misleading name", output.file.string(), output.option),

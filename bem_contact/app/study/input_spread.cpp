@@ -1,13 +1,11 @@
 #include "bem_contact/app/study/input_spread.hpp"
 
-#include "bem_contact/base/comma_separated.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/output_folder.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/profile/noisy_profile.hpp"
 #include "bem_contact/profile/read_profile.hpp"
-#include "bem_contact/scene/surface_states.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/uses/wear/worn_profile.hpp"
 
@@ -76,9 +74,9 @@ std::vector<SceneChange> changes_of_draw(const StudyCase& study, const SceneFile
 
 std::vector<std::string> drawn_parts(const StudyCase& study) {
   std::vector<std::string> out;
-  for (const std::string& name : comma_separated(study.uncertainty.parts)) {
+  for (const std::string& name : study.uncertainty.parts) {
     const Part* part = part_named(name);
-    if (!part || !part->asked(study)) {
+    if (!part->asked(study)) {
       std::vector<std::string> known;
       for (const Part& one : all_parts())
         if (one.asked(study))
@@ -166,24 +164,11 @@ std::vector<std::vector<PartResult>> solve_draws(const StudyCase& study, const S
   return out;
 }
 
-std::vector<std::string> states_of(const StudyCase& study) {
-  const std::vector<std::string> states = comma_separated(study.uncertainty.states);
-  std::vector<std::string> known;
-  for (const SurfaceState& state : surface_states())
-    known.emplace_back(state.name);
-  for (const std::string& state : states)
-    if (!find_state(state) || std::ranges::count(states, state) > 1)
-      throw InputError(fmt::format("uncertainty.states has '{}'", state),
-                       find_state(state) ? "it is named twice" : "layer.state knows no such state",
-                       fmt::format("Known are {}.", fmt::join(known, ", ")));
-  return states;
-}
-
 std::vector<std::vector<PartResult>>
 solve_states(const StudyCase& study, const StudyFolder& where, std::set<std::string>& said,
              const std::function<bool(const std::string& state)>& wanted) {
   std::vector<std::vector<PartResult>> out;
-  const std::vector<std::string> states = states_of(study);
+  const std::vector<std::string>& states = study.uncertainty.states;
   Progress progress("states", static_cast<int>(states.size()));
   for (const std::string& state : states) {
     if (wanted(state)) {
@@ -199,7 +184,7 @@ solve_states(const StudyCase& study, const StudyFolder& where, std::set<std::str
 
 std::vector<std::string> vary_states(const StudyCase& study, const StudyFolder& where,
                                      std::set<std::string>& said, std::vector<HeadlineNumber>& headline) {
-  const std::vector<std::string> states = states_of(study);
+  const std::vector<std::string>& states = study.uncertainty.states;
   std::vector<std::string> without;
   std::size_t at = 0;
   for (const std::vector<PartResult>& results :

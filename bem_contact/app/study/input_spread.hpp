@@ -13,9 +13,6 @@ namespace bem_contact::app {
 /// How many draws of the inputs [uncertainty] asks for; 0: none.
 int draws_of(const StudyCase& study);
 
-/// The states of [uncertainty], each once. Throws InputError for one that is not known.
-std::vector<std::string> states_of(const StudyCase& study);
-
 /// Answers each state that is wanted as a study of its own in parts/states/clean and so on. Throws as
 /// solve_draws() does.
 std::vector<std::vector<PartResult>>

@@ -5,6 +5,7 @@
 #include "bem_contact/base/child_process.hpp"
 #include "bem_contact/base/message_file.hpp"
 #include "bem_contact/base/printable.hpp"
+#include "bem_contact/base/program.hpp"
 #include "bem_contact/base/temporary_folder.hpp"
 
 #include <fmt/format.h>

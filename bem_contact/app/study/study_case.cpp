@@ -1,10 +1,12 @@
 #include "bem_contact/app/study/study_case.hpp"
 
+#include "bem_contact/app/study/study_parts.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/schema.hpp"
 #include "bem_contact/base/toml.hpp"
 #include "bem_contact/scene/absolute_names.hpp"
 #include "bem_contact/scene/command_tables.hpp"
+#include "bem_contact/scene/surface_states.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 
 #include <algorithm>
@@ -61,10 +63,14 @@ Schema schema_of(StudyCase& study) {
   constexpr int most_draws = 10000; // a typing error
   uncertainty.add("draws", u.draws, "How often the inputs are drawn", {.at_least = 2, .at_most = most_draws});
   uncertainty.add("seed", u.seed, "Other seeds give other draws", {.at_least = 0});
-  uncertainty.add("states", u.states,
-                  "States of the surfaces (layer.state) that the study is answered for, too, with commas");
-  uncertainty.add("parts", u.parts,
-                  "Parts of the study that are drawn or have states, with commas; none: all");
+  std::vector<std::string> states, parts;
+  for (const SurfaceState& state : surface_states())
+    states.emplace_back(state.name);
+  for (const Part& part : all_parts())
+    parts.emplace_back(part.name);
+  out.add("uncertainty.states", u.states, states, "none",
+          "States of the surfaces (layer.state) that the study is answered for, too");
+  out.add("uncertainty.parts", u.parts, parts, "all", "Parts of the study that are drawn or have states");
   influence.add("program", study.influence.program,
                 "Program that is called with a body file and the influence file to write, if --influence "
                 "names it, too");
@@ -111,7 +117,7 @@ StudyCase study_case(SceneText text) {
   StudyCase out{std::move(text), {}};
   require_text(out.text.toml, out.text.source, "scene");
   for (const auto& [name, node] : parsed(out.text.toml, out.text.source))
-    out.tables.emplace_back(name.str());
+    out.tables.emplace_back(name == "passage" ? "sweep" : name.str()); // which solves the cases of both
   schema_of(out).read(out.text.toml, out.text.source);
   return out;
 }

@@ -19,8 +19,8 @@ struct Uncertainty {
   double lateral = 0;       ///< of position.lateral, mm
   double profile_noise = 0; ///< of points of both profiles, mm
   int draws = 20, seed = 1;
-  std::string states; ///< "clean, rig": values of layer.state to answer the study for, too; "": none
-  std::string parts;  ///< "solve, conicity": parts of the study that are drawn or have states; "": all
+  std::vector<std::string> states; ///< values of layer.state to answer the study for, too
+  std::vector<std::string> parts;  ///< of the study that are drawn or have states; none: all
 
   bool asked() const { return friction > 0 || load > 0 || lateral > 0 || profile_noise > 0; }
 };

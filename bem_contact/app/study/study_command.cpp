@@ -77,7 +77,7 @@ std::vector<std::string> tasks_of(const StudyCase& study) {
       out.emplace_back(part.name);
   for (int draw = 1; draw <= draws_of(study); ++draw)
     out.push_back(name_of_draw(draw));
-  for (const std::string& state : states_of(study))
+  for (const std::string& state : study.uncertainty.states)
     out.push_back(name_of_state(state));
   return out;
 }
@@ -209,7 +209,7 @@ ExitCode run_study(const StudyArguments& arguments) {
     study.influence.program = where.program;
   if (!arguments.only.empty())
     return run_only(study, where, arguments.only);
-  const std::vector<std::string> states = states_of(study);
+  const std::vector<std::string>& states = study.uncertainty.states;
   const GivenScene given = given_for_study(study.text);
   where.inputs = inputs_of_study(study, where.scene);
   make_folder(where.folder);

@@ -100,7 +100,7 @@ constexpr Part parts_of_studies[] = {
 };
 
 void write_unswept(const StudyCase& study, const StudyFolder& where) {
-  const std::string_view dropped[] = {"sweep"};
+  const std::string_view dropped[] = {"sweep", "passage"};
   const std::string text = changed_text(study.text, {}, dropped);
   write_whole(where.parts() / unswept, [&](std::ostream& out) { out << text; });
 }
@@ -113,7 +113,7 @@ void write_wheel(const StudyCase& study, const StudyFolder& where, const PartRes
     made.remove(name);
     return;
   }
-  const std::string_view dropped[] = {"sweep"}; // its cases are wheelsets
+  const std::string_view dropped[] = {"sweep", "passage"}; // its cases are wheelsets
   const std::string text = changed_text(
       {wheel_text(study.text, record::read_hdf5(wheelset.file)), study.text.source, study.text.folder}, {},
       dropped);

@@ -6,6 +6,7 @@
 #include "bem_contact/record/csv.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/record/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,8 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <ostream>
 
 namespace bem_contact::app {
@@ -27,73 +30,23 @@ enum Pick { first = 0, last = -1, largest = -2, of_three_millimetres = -3 };
 
 /// Where a number of the headline stands in the record of a part. Pick: or an index from 0.
 struct HeadlinePlace {
-  const char *part, *path;
+  std::string path;
   int pick = first;
 };
-constexpr HeadlinePlace headline_places[] = {
-    {"solve", "quantities/lateral"},
-    {"solve", "quantities/Fx"},
-    {"solve", "quantities/Fy"},
-    {"solve", "quantities/Fz"},
-    {"solve", "quantities/pmax"},
-    {"solve", "quantities/area"},
-    {"solve", "quantities/T_gamma"},
-    {"solve", "quantities/free_rolling_xi"},
-    {"wheelset", "wheelset/lateral"},
-    {"wheelset", "wheelset/rolling_radius"},
-    {"wheelset", "right/track/share"},
-    {"wheelset", "right/track/Fx"},
-    {"wheelset", "left/track/Fx"},
-    {"wheelset", "right/track/Fy"},
-    {"wheelset", "left/track/Fy"},
-    {"wheelset", "right/track/Y_over_Q"},
-    {"wheelset", "left/track/Y_over_Q"},
-    {"wheelset", "right/track/pmax"},
-    {"wheelset", "left/track/pmax"},
-    {"wheelset", "right/track/area"},
-    {"wheelset", "left/track/area"},
-    {"wheelset", "right/track/T_gamma"},
-    {"wheelset", "left/track/T_gamma"},
-    {"sweep", "certified_count"},
-    {"sweep", "pmax", largest},
-    {"sweep", "T_gamma", largest},
-    {"sweep", "right_pmax", largest},
-    {"sweep", "left_pmax", largest},
-    {"sweep", "right_T_gamma", largest},
-    {"sweep", "left_T_gamma", largest},
-    {"compare", "at_equal_forces/hertz/quantities/pmax"},
-    {"compare", "at_equal_forces/simplified/quantities/pmax"},
-    {"compare", "at_equal_forces/halfspace/quantities/pmax"},
-    {"compare", "at_equal_forces/tangent_plane/quantities/pmax"},
-    {"compare", "at_equal_forces/fem/quantities/pmax"},
-    {"conicity", "conicity/tan_gamma", of_three_millimetres},
-    {"creep_curves", "slopes", 0},
-    {"creep_curves", "slopes", 4},
-    {"creep_curves", "sensitivities", 0},
-    {"creep_curves", "sensitivities", 4},
-    {"fit", "misfit"},
-    {"table", "points"},
-    {"table", "solved"},
-    {"fatigue", "damage"},
-    {"fatigue", "patches/FI_surf", largest},
-    {"fatigue", "patches/p0_over_k", largest},
-    {"fatigue", "patches/von_mises", largest},
-    {"shakedown", "first_yield"},
-    {"shakedown", "shakedown"},
-    {"shakedown", "shakedown_upper"},
-    {"shakedown", "patches/dang_van", largest},
-    {"wear", "T_gamma"},
-    {"wear", "wheel_depth_per_km"},
-    {"wear", "rail_depth_per_mgt"},
-    {"wear", "right/T_gamma"},
-    {"wear", "right/wheel_depth_per_km"},
-    {"wear", "right/rail_depth_per_mgt"},
-    {"wear", "left/wheel_depth_per_km"},
-    {"wear", "left/rail_depth_per_mgt"},
-    {"wear", "mileage", last},
-    {"wear", "rail_depth", last},
-    {"wear", "wheel_depth", last},
-};
+
+/// Those of a part, as words.json has them: a path alone, or with which number counts.
+std::vector<HeadlinePlace> headline_places(const std::string& part) {
+  static const auto all = nlohmann::json::parse(record_words_json).at("headlines of a study");
+  static const std::map<std::string, int> picks{
+      {"last", last}, {"largest", largest}, {"at 3 mm", of_three_millimetres}};
+  std::vector<HeadlinePlace> out;
+  for (const auto& place : all.value(part, nlohmann::json::array()))
+    if (place.is_string())
+      out.push_back({place});
+    else
+      out.push_back({place[0], place[1].is_number() ? place[1].get<int>() : picks.at(place[1])});
+  return out;
+}
 
 /// Numbers at a path with their unit; one number is a column of one.
 struct FoundNumbers {
@@ -137,13 +90,12 @@ std::optional<std::size_t> index_of(const record::Record& record, const Headline
 
 /// Of forces by xi and eta, in N: the matrix has other units elsewhere.
 bool is_derivative(const HeadlinePlace& place) {
-  const std::string_view path = place.path;
-  return path == "slopes" || path == "sensitivities";
+  return place.path == "slopes" || place.path == "sensitivities";
 }
 
 /// "dFx/dxi" for the numbers of a matrix of forces by creepages.
 std::string name_of_place(const HeadlinePlace& place) {
-  const std::string path = place.path;
+  const std::string& path = place.path;
   if (is_derivative(place))
     return fmt::format("{}: d{}/d{}", path, place.pick / 3 == 0 ? "Fx" : "Fs",
                        place.pick % 3 == 0 ? "xi" : "eta");
@@ -232,10 +184,9 @@ std::vector<HeadlineNumber> headline_of(const std::vector<PartResult>& results) 
   std::vector<HeadlineNumber> out;
   for (const PartResult& result : results) {
     const record::Record record = record_of_part(result);
-    for (const HeadlinePlace& place : headline_places)
-      if (std::string_view(place.part) == result.part->name)
-        if (const auto number = number_of(result, record, place))
-          out.push_back(*number);
+    for (const HeadlinePlace& place : headline_places(result.part->name))
+      if (const auto number = number_of(result, record, place))
+        out.push_back(*number);
   }
   return out;
 }

@@ -1,6 +1,7 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/sweep/whole_sweep.hpp"
+#include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/uses/sweep/replay_file.hpp"
 
 #include <CLI/CLI.hpp>

@@ -2,18 +2,20 @@
 
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/settings.hpp"
-#include "bem_contact/app/sweep/child_processes.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/interrupt_note.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/said_by.hpp"
+#include "bem_contact/base/workers.hpp"
+#include "bem_contact/task/engine.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <deque>
 #include <fmt/format.h>
+#include <map>
 #include <new>
 #include <numeric>
 #include <ostream>
@@ -108,7 +110,7 @@ int exit_code_of(const std::function<void()>& work) {
 class Run {
 public:
   Run(const PartsFolder& folder, int jobs, const PartSolver& solver)
-      : folder_(folder), jobs_(processes_of(jobs)), taken_(folder.asked().sweep.size(), false),
+      : folder_(folder), jobs_(task::processes_of(jobs)), taken_(folder.asked().sweep.size(), false),
         part_size_(part_size(cut_of(folder.asked()), taken_.size(), jobs_)), solver_(solver) {
     for (const SweepPart& part : folder_.parts())
       take(part.cases);
@@ -125,13 +127,15 @@ private:
     Progress progress("cases", open);
     InterruptNote note("cases", fmt::format("Give the same command again to go on: '{}' holds them.",
                                             folder_.folder().string()));
-    ChildProcesses children;
+    Workers children;
     note.done(0, open);
     plan();
     for (std::size_t done = 0; out_.code == 0;) {
       while (children.size() < jobs_ && !orders_.empty()) {
-        children.start(orders_.front(), work(orders_.front()));
+        const CaseRange cases = orders_.front();
         orders_.pop_front();
+        children.start(cases.first, work(cases));
+        solving_[cases.first] = cases;
       }
       if (children.size() == 0)
         break;
@@ -170,18 +174,19 @@ private:
   }
 
   /// How many cases are done with it.
-  std::size_t close(const EndOfChild& end) {
+  std::size_t close(const EndOfWork& end) {
+    const CaseRange cases = solving_.extract(end.number).mapped();
     if (end.code == success)
-      return cases_in_part(folder_.asked(), folder_.file(end.cases.first)).size();
+      return cases_in_part(folder_.asked(), folder_.file(cases.first)).size();
     if (end.code == unforeseen || end.code == wrong_input) {
       out_.code = end.code;
       return 0;
     }
-    if (end.cases.size() > 1) {
-      order_singly(end.cases);
+    if (cases.size() > 1) {
+      order_singly(cases);
       return 0;
     }
-    out_.died[end.cases.first] = end.code == out_of_memory ? said_by(std::bad_alloc()) : end.how;
+    out_.died[cases.first] = end.code == out_of_memory ? said_by(std::bad_alloc()) : end.how;
     return 1;
   }
 
@@ -195,6 +200,7 @@ private:
   std::vector<bool> taken_; ///< cases that are in a part of a former run
   std::size_t part_size_;   ///< cases
   std::deque<CaseRange> orders_;
+  std::map<std::size_t, CaseRange> solving_; ///< by the first
   const PartSolver& solver_;
   SolvedParts out_;
 };

@@ -1,6 +1,5 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/scene_options.hpp"
-#include "bem_contact/app/sweep/numbers_by_children.hpp"
 #include "bem_contact/app/wear/one_contact.hpp"
 #include "bem_contact/app/wear/wear_influence.hpp"
 #include "bem_contact/app/wear/wear_state.hpp"
@@ -16,6 +15,7 @@
 #include "bem_contact/record/found.hpp"
 #include "bem_contact/scene/settings.hpp"
 #include "bem_contact/scene/sweep_check.hpp"
+#include "bem_contact/task/tasks.hpp"
 #include "bem_contact/uses/sweep/sweep_inputs.hpp"
 #include "bem_contact/uses/wear/study.hpp"
 
@@ -117,53 +117,6 @@ ExitCode run(const WearArguments& arguments) {
                                          arguments.study});
 }
 
-void add_numbers(const wear::DepthOverS& depths, std::vector<double>& numbers) {
-  numbers.insert(numbers.end(), {double(depths.s.size()), depths.width});
-  numbers.insert(numbers.end(), depths.s.begin(), depths.s.end());
-  numbers.insert(numbers.end(), depths.depth.begin(), depths.depth.end());
-}
-
-/// The next depths in `numbers`, which moves on.
-wear::DepthOverS depths_in(std::span<const double>& numbers) {
-  const auto size = static_cast<std::size_t>(numbers[0]);
-  const auto s = numbers.subspan(2, size), depth = numbers.subspan(2 + size, size);
-  const wear::DepthOverS out{{s.begin(), s.end()}, {depth.begin(), depth.end()}, numbers[1]};
-  numbers = numbers.subspan(2 + 2 * size);
-  return out;
-}
-
-wear::CasesSolver wear_by_children(const wear::Study& study, const std::filesystem::path& folder, int jobs) {
-  return [&study, folder, jobs](const wear::WornPair& now, const wear::KeptPair& influence) {
-    const std::span<const wear::CollectiveCase> cases = study.cases;
-    const auto files = wear::read_profiles_of_step(study.scene(), folder); // each child has its copy
-    const ItemsOfWork work{.count = cases.size(),
-                           .solve =
-                               [&](CaseRange chunk, const ItemsOfWork::Give& give) {
-                                 for (const wear::CaseWear& one :
-                                      wear::wear_of_cases(now, cases.subspan(chunk.first, chunk.size()),
-                                                          study.options, folder, influence, files)) {
-                                   std::vector<double> numbers;
-                                   add_numbers(one.rail, numbers);
-                                   add_numbers(one.wheel, numbers);
-                                   give(std::move(numbers));
-                                 }
-                               },
-                           .name =
-                               [&](std::size_t i) {
-                                 return fmt::format(
-                                     "A case of the load collective, from lateral displacement {:g} mm on,",
-                                     cases[i].scene.position.lateral);
-                               }};
-    std::vector<wear::CaseWear> out;
-    for (const std::vector<double>& numbers : numbers_by_children(work, jobs)) {
-      std::span<const double> rest = numbers;
-      wear::DepthOverS rail = depths_in(rest);
-      out.push_back({std::move(rail), depths_in(rest)});
-    }
-    return out;
-  };
-}
-
 ExitCode study(const WearArguments& arguments, const SceneText& scene) {
   const SweepFile sweep = parse_sweep_file(scene);
   check_values(sweep);
@@ -172,7 +125,8 @@ ExitCode study(const WearArguments& arguments, const SceneText& scene) {
   const std::filesystem::path folder = arguments.output;
   OutputFolder made(folder, {.maker = wear_maker, .inputs = files_read(arguments.scene, sweep)});
   if (arguments.jobs != 1)
-    study.options.solve = wear_by_children(study, folder, arguments.jobs);
+    study.options.solve =
+        task::wear_by(task::in_children(arguments.jobs), sweep, arguments.model, arguments.study);
   const LockFile lock(folder / lock_file_name, "Wait for it, or give another folder.");
   if (!lock.warning().empty())
     warn({lock.warning()});

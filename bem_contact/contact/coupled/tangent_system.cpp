@@ -8,6 +8,7 @@
 #include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/slip_step.hpp"
 #include "bem_contact/contact/tangential/linear_solution.hpp"
+#include "bem_contact/influence/dense.hpp"
 
 #include <Eigen/LU>
 
@@ -24,11 +25,20 @@ using Eigen::VectorXd;
 
 /// 1. Residual of the linear systems, over their right sides. Derivatives are compared within 1e-5 of the
 /// largest; sums over elements in which tractions cancel need more digits.
-constexpr double tangent_precision = 1e-11;
+constexpr double tangent_precision = 1e-9;
+/// 1. The same of the feedback between pressure and shear, which is no more precise than these systems; and
+/// of right sides what is left of them beside former ones.
+constexpr double feedback_precision = 1e-8;
+/// 1. What former answers leave of a right side is solved to this precision of the whole of it. If it is more
+/// than this share, its own answer is made as precise, and serves again. Chosen.
+constexpr double least_kept_share = 0.1;
 /// 1. Of the residual, after one of them. Single precision gives no more.
 constexpr double correction_precision = 1e-4;
 /// 1. Larger residuals, over the right side, are no rounding: the system is singular. Chosen.
-constexpr double largest_tangent_residual = 1e-9;
+constexpr double largest_tangent_residual = 1e-7;
+/// Elements in contact below the limit of the pressure. Up to here Cholesky's factor takes less than
+/// conjugate gradients for each of ten right sides do. Chosen.
+constexpr int dense_tangent_elements = 500;
 /// Directions of the feedback between pressure and shear. An outer iteration of the solution itself takes off
 /// a digit or two, and GCR is faster. Chosen.
 constexpr int most_directions = 60;
@@ -41,6 +51,22 @@ constexpr int most_directions = 60;
 }
 
 } // namespace
+
+VectorXd KnownAnswers::take(VectorXd& right) const {
+  VectorXd out = VectorXd::Zero(right.size());
+  for (int round = 0; round < 2; ++round) // twice is enough (Kahan)
+    for (const auto& [known, answer] : all_) {
+      const double share = known.dot(right);
+      right -= share * known;
+      out += share * answer;
+    }
+  return out;
+}
+
+void KnownAnswers::keep(const VectorXd& right, const VectorXd& answer) {
+  const double length = right.norm();
+  all_.emplace_back(right / length, answer / length);
+}
 
 void TangentTractions::add(double factor, const TangentTractions& other) {
   pn += factor * other.pn;
@@ -57,6 +83,11 @@ TangentSystem::TangentSystem(const ContactProblem& problem, const ContactResult&
   for (int i = 0; i < n; ++i)
     if (solved.pn[i] > 0 && solved.pn[i] < system_.normal.limit)
       touching_.push_back(i);
+  if (static_cast<int>(touching_.size()) <= dense_tangent_elements) {
+    normal_factor_ = system_.normal.block(touching_);
+    if (!factor_cholesky(normal_factor_))
+      refuse();
+  }
   unit_ = inverse_normal(system_.normal.cosine);
   nothing_ = {VectorXd::Zero(n), VectorXd::Zero(2 * n), VectorXd::Zero(n)};
   if (system_.by_force)
@@ -78,7 +109,7 @@ void TangentSystem::prepare_shear(const ContactResult& solved) {
     friction_[i] = task_.bound[i] < mu * solved.pn[i] ? 0.0 : mu; // a layer may bear less
   }
   elements_.emplace(system_.shear->system, task_);
-  matrix_.emplace(system_.shear->system, *elements_, work_);
+  matrix_.emplace(system_.shear->system, *elements_, work_, NewtonMatrix::Serves::many_right_sides);
   const VectorXd here = elements_->gather(joined(solved.px, solved.ps)),
                  moving = length * elements_->gather(joined(solved.slip_x, solved.slip_s));
   linearisation_ = linearise(elements_->stiffness, elements_->bound, here, moving);
@@ -106,38 +137,61 @@ void TangentSystem::prepare_shear(const ContactResult& solved) {
   }
 }
 
+/// A^-1 right of the elements that touch by conjugate gradients.
+VectorXd TangentSystem::iterated_normal(const VectorXd& right) {
+  VectorXd left = VectorXd::Zero(right.size());
+  double largest = 0;
+  for (const int i : touching_)
+    left[i] = right[i];
+  const double length = left.norm();
+  const VectorXd known = known_pressures_.take(left);
+  const double share = left.norm() / length;
+  if (!(share > feedback_precision))
+    return known;
+  for (const int i : touching_)
+    largest = std::max(largest, std::abs(left[i]));
+  const bool serves_again = share > least_kept_share;
+  const double enough = (serves_again ? tangent_precision : tangent_precision / share) * largest;
+  Response response{VectorXd::Zero(right.size()), VectorXd::Zero(right.size()), {}};
+  if (!conjugate_gradients(system_.normal, touching_, left, enough, work_, response))
+    refuse();
+  if (serves_again)
+    known_pressures_.keep(left, response.p);
+  return known + response.p;
+}
+
 /// A^-1 right of the elements that touch; 0 elsewhere.
 VectorXd TangentSystem::inverse_normal(const VectorXd& right) {
-  if (static_cast<int>(touching_.size()) > dense_normal_elements) {
-    double largest = 0;
-    for (const int i : touching_)
-      largest = std::max(largest, std::abs(right[i]));
-    Response response{VectorXd::Zero(right.size()), VectorXd::Zero(right.size()), {}};
-    if (largest > 0 &&
-        !conjugate_gradients(system_.normal, touching_, right, tangent_precision * largest, work_, response))
-      refuse();
-    return response.p;
-  }
-  MatrixXd both(touching_.size(), 2); // the second one is kept
+  if (!normal_factor_.size())
+    return iterated_normal(right);
+  VectorXd p(touching_.size()), out = VectorXd::Zero(right.size());
   for (std::size_t a = 0; a < touching_.size(); ++a)
-    both.row(a) << right[touching_[a]], system_.normal.cosine[touching_[a]];
-  if (!touching_.empty() && !system_.normal.solve_dense(touching_, both))
-    refuse();
-  VectorXd out = VectorXd::Zero(right.size());
+    p[a] = right[touching_[a]];
+  solve_lower(normal_factor_, p);
+  solve_lower_transposed(normal_factor_, p);
   for (std::size_t a = 0; a < touching_.size(); ++a)
-    out[touching_[a]] = both(a, 0);
+    out[touching_[a]] = p[a];
   return out;
 }
 
 /// J^-1 right.
 VectorXd TangentSystem::inverse_shear(const VectorXd& right) {
-  auto out = linear_solution(
-      *matrix_, linearisation_, elements_->stiffness, right,
-      {.wanted = tangent_precision, .accepted = largest_tangent_residual, .correction = correction_precision},
-      work_);
+  VectorXd left = right;
+  const VectorXd known = known_shears_.take(left);
+  const double share = left.norm() / right.norm();
+  if (!(share > feedback_precision))
+    return known;
+  const bool serves_again = share > least_kept_share;
+  auto out = linear_solution(*matrix_, linearisation_, elements_->stiffness, left,
+                             {.wanted = serves_again ? tangent_precision : tangent_precision / share,
+                              .accepted = largest_tangent_residual / share,
+                              .correction = correction_precision},
+                             work_);
   if (!out)
     refuse();
-  return *std::move(out);
+  if (serves_again)
+    known_shears_.keep(left, *out);
+  return known + *out;
 }
 
 /// Shear under the pressure of `out`, and the creepages of prescribed shear forces.
@@ -203,7 +257,7 @@ TangentTractions TangentSystem::solve(const TangentLoad& load) {
   if (!system_.coupled())
     return out;
   VectorXd left = feedback_of(out);
-  const double enough = tangent_precision * left.norm();
+  const double enough = feedback_precision * left.norm();
   const auto take = [&](const Direction& known) {
     const double share = known.image.dot(left);
     left -= share * known.image;

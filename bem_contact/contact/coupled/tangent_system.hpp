@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace bem_contact::contact {
@@ -28,6 +29,19 @@ struct TangentTractions {
   Eigen::Vector2d creepage = Eigen::Vector2d::Zero(); ///< found for prescribed shear forces
 
   void add(double factor, const TangentTractions& other);
+};
+
+/// Right sides of a linear system and their answers. Of many inputs few are independent: speeds and the
+/// radius of a curve do no more than creepages do.
+class KnownAnswers {
+public:
+  /// The answer to so much of `right` as former ones answer, which is taken off it.
+  Eigen::VectorXd take(Eigen::VectorXd& right) const;
+  /// `right`: what take() left of one.
+  void keep(const Eigen::VectorXd& right, const Eigen::VectorXd& answer);
+
+private:
+  std::vector<std::pair<Eigen::VectorXd, Eigen::VectorXd>> all_; ///< right sides orthonormal
 };
 
 /// The equations of a solved contact, linearised: elements stay in contact or apart, at the limit of the
@@ -67,6 +81,7 @@ private:
   };
   void prepare_shear(const ContactResult& solved);
   Vector inverse_normal(const Vector& right);
+  Vector iterated_normal(const Vector& right);
   TangentTractions respond(const TangentLoad& load, const Vector& feedback);
   Vector feedback_of(const TangentTractions& tangent) const;
   void solve_shear(const TangentLoad& load, TangentTractions& out);
@@ -75,10 +90,12 @@ private:
   const ContactProblem& problem_;
   WorkBudget& work_;
   CoupledSystem system_;
-  std::vector<int> touching_; ///< in contact below the limit of the pressure
-  Vector unit_;               ///< of the pressure per unit of the approach, MPa/mm; field
+  std::vector<int> touching_;     ///< in contact below the limit of the pressure
+  Eigen::MatrixXd normal_factor_; ///< Cholesky's of A_nn of these, if they are few; else empty
+  Vector unit_;                   ///< of the pressure per unit of the approach, MPa/mm; field
   double force_to_length_ = 0;
   std::vector<Direction> directions_;
+  KnownAnswers known_pressures_, known_shears_;
   TangentLoad nothing_;
 
   // of friction

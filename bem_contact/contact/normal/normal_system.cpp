@@ -47,6 +47,10 @@ bool NormalSystem::solve_dense(const std::vector<int>& list, Eigen::MatrixXd& ri
   return operators_->solve_dense(list, *numbers, grid.mx, right);
 }
 
+Eigen::MatrixXd NormalSystem::block(const std::vector<int>& list) const {
+  return operators_->lines(*numbers, grid.mx).block(list);
+}
+
 const NormalBox& NormalSystem::box_around(const std::vector<int>& elements, WorkBudget& work) const {
   return operators_->box_around(elements, *numbers, grid, work);
 }

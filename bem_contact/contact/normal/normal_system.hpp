@@ -22,6 +22,8 @@ public:
   Eigen::VectorXd apply_directly(const Eigen::VectorXd& p, WorkBudget& work) const;
   /// right := A_CC^-1 right on the elements of the list; false where A_CC is not positive definite.
   bool solve_dense(const std::vector<int>& list, Eigen::MatrixXd& right) const;
+  /// A_CC of the list, lower triangle.
+  Eigen::MatrixXd block(const std::vector<int>& list) const;
   /// Boxes around these elements.
   const NormalBox& box_around(const std::vector<int>& elements, WorkBudget& work) const;
   NormalBoxVectors& vectors() const { return operators_->vectors(); } ///< of these boxes

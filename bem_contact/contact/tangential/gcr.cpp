@@ -17,6 +17,10 @@ namespace {
 /// Directions for which memory is taken at first; it grows where that is not enough. Chosen.
 constexpr int first_directions = 32;
 
+/// Directions that serve all right sides; with more it begins anew, since to make the next one orthogonal to
+/// them would take longer than its product. Chosen.
+constexpr int most_all_directions = 500;
+
 /// 1. Where less is left of an image it is made orthogonal once more. Single precision then still has five
 /// digits, one more than any system is solved to.
 constexpr float little_left = 0.02f;
@@ -56,7 +60,10 @@ void Gcr::begin(const VectorXd& rhs, const Border& border) {
   rows_ = (border.rows / of_rows_).cast<float>();
   residual_.resize(rhs.size());
   left_ = least_left_ = 1;
-  used_ = candidate_ = without_fall_ = 0;
+  candidate_ = without_fall_ = 0;
+  if (!keeps_all_ || used_ > most_all_directions)
+    used_ = 0;
+  g_.head(used_).setZero();
   stalled_ = false;
 }
 
@@ -110,6 +117,18 @@ bool Gcr::next_kept() {
   }
   from_kept_ = used_;
   return false;
+}
+
+/// Takes what the directions of former right sides can off the residual.
+void Gcr::take_former_directions() {
+  if (used_ == 0)
+    return;
+  const Eigen::Index n = residual_.size();
+  dot_columns(q_.data(), n, used_, residual_.data(), share_.data(), n);
+  g_.head(used_) = share_.head(used_).cast<double>();
+  share_.head(used_) *= -1;
+  add_columns(q_.data(), n, used_, share_.data(), residual_.data(), n);
+  left_ = least_left_ = residual_.norm();
 }
 
 void Gcr::make_room() {
@@ -174,7 +193,7 @@ void Gcr::finish(BorderedSolution& solution) {
 
 /// image_ is the solution without the start.
 void Gcr::keep_solution() {
-  if (is_kept_.empty() || used_ == 0)
+  if (is_kept_.empty() || used_ == 0 || keeps_all_)
     return;
   residual_.setZero();
   add_columns(bz_.data(), residual_.size(), used_, share_.data(), residual_.data(), residual_.size());

@@ -38,6 +38,9 @@ public:
   };
   explicit Gcr(Keeps keeps) : keeps_(keeps) {}
 
+  /// What follows has one matrix J and no borders: all directions serve all right sides, without products or
+  /// images of their own.
+  void keep_all_directions() { keeps_all_ = true; }
   /// Keeps nothing of what was solved so far.
   void forget();
   /// What follows is solved with the matrix B of these elements. What was kept with another one is forgotten.
@@ -69,7 +72,9 @@ public:
       finish(solution);
       return true;
     }
-    while (next_kept()) {
+    if (keeps_all_)
+      take_former_directions();
+    while (!keeps_all_ && next_kept()) {
       constrain(true);
       try_direction(image, true);
     }
@@ -109,6 +114,7 @@ private:
   void constrain(bool with_product);
   bool stalls(double tolerance);
   bool next_kept();
+  void take_former_directions();
   void make_room();
   bool take_image(bool kept);
   void finish(BorderedSolution& solution);
@@ -116,6 +122,7 @@ private:
   void keep(int column, const Eigen::Ref<const Vector>& z, const Eigen::Ref<const Vector>& bz);
 
   Keeps keeps_;
+  bool keeps_all_ = false;
   std::vector<int> elements_;
   Eigen::MatrixXf kept_z_, kept_bz_; ///< solutions, the oldest of which is overwritten; then directions
   std::vector<char> is_kept_;        ///< which of these columns there are

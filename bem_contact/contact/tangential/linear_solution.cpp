@@ -1,5 +1,6 @@
 #include "bem_contact/contact/tangential/linear_solution.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -30,7 +31,8 @@ std::optional<VectorXd> linear_solution(const NewtonMatrix& matrix, const Linear
     if (left <= precision.wanted * right.norm() || !(left < former))
       break;
     former = left;
-    x += matrix.newton_step(rest, {}, precision.correction, work, state).x;
+    const double enough = precision.wanted * right.norm() / left;
+    x += matrix.newton_step(rest, {}, std::max(precision.correction, enough), work, state).x;
     if (!x.allFinite())
       return std::nullopt;
     matrix.step(x, product);

@@ -22,9 +22,19 @@ constexpr int most_gcr_products = 250;
 using Eigen::VectorXd;
 using Eigen::VectorXf;
 
-NewtonMatrix::NewtonMatrix(const TangentialSystem& system, const ContactElements& elements, WorkBudget& work)
+NewtonMatrix::NewtonMatrix(const TangentialSystem& system, const ContactElements& elements, WorkBudget& work,
+                           Serves serves)
     : system_(system), elements_(elements) {
-  if (static_cast<int>(elements.contact.size()) <= dense_tangential_elements) {
+  const int count = static_cast<int>(elements.contact.size());
+  if (serves == Serves::many_right_sides) {
+    own_gcr_.emplace(Gcr::Keeps{0, 0}).keep_all_directions();
+    if (count <= dense_right_sides_elements) {
+      own_few_.emplace(TangentialOperators::FewElements{
+          ContactMatrix(*system.problem, system.rule.present, elements.contact)});
+      few_ = &*own_few_;
+      return;
+    }
+  } else if (count <= dense_tangential_elements) {
     few_ = &system.few_elements(elements.contact);
     return;
   }
@@ -96,9 +106,10 @@ bool NewtonMatrix::solve_on_box(const Asked& asked, TangentialState& state, Bord
     newton_image(elements, asked.at.carried, v, bv, result);
   };
   const auto inverse = [&](const VectorXf& v, auto&& result) { jacobian.precondition(v, result); };
-  const bool enough = scratch_->gcr.solve(product, image, inverse, -asked.at.residual, asked.border,
-                                          {asked.tolerance, most_gcr_products}, step);
-  state.products += scratch_->gcr.products();
+  Gcr& gcr = own_gcr_ ? *own_gcr_ : scratch_->gcr;
+  const bool enough = gcr.solve(product, image, inverse, -asked.at.residual, asked.border,
+                                {asked.tolerance, most_gcr_products}, step);
+  state.products += gcr.products();
   return enough || elements_.unknowns() / 2 > most_dense_elements;
 }
 

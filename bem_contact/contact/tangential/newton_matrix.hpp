@@ -15,7 +15,11 @@ namespace bem_contact::contact {
 /// converge without them.
 class NewtonMatrix {
 public:
-  NewtonMatrix(const TangentialSystem& system, const ContactElements& elements, WorkBudget& work);
+  /// What its linear systems are: those of Newton's steps, each with a matrix J of its own, or one J with
+  /// many right sides, whose factors or directions serve all of them.
+  enum class Serves { newton_steps, many_right_sides };
+  NewtonMatrix(const TangentialSystem& system, const ContactElements& elements, WorkBudget& work,
+               Serves serves = Serves::newton_steps);
 
   /// result = B v
   void step(const Eigen::VectorXd& v, Eigen::VectorXd& result) const;
@@ -38,10 +42,12 @@ private:
 
   const TangentialSystem& system_;
   const ContactElements& elements_;
-  TangentialOperators::FewElements* few_ = nullptr; ///< of a contact of few elements; else
+  std::optional<TangentialOperators::FewElements> own_few_; ///< of many right sides
+  TangentialOperators::FewElements* few_ = nullptr;         ///< of a contact of few elements; else
   const StepBox* box_ = nullptr;
   StepBoxScratch* scratch_ = nullptr;
-  std::vector<int> local_; ///< places of the elements on the boxes
+  mutable std::optional<Gcr> own_gcr_; ///< of many right sides
+  std::vector<int> local_;             ///< places of the elements on the boxes
 };
 
 } // namespace bem_contact::contact

@@ -10,6 +10,8 @@ namespace bem_contact::contact {
 /// Elements in contact. Up to here a dense matrix with LU factors as preconditioner is faster than transforms
 /// (measured: with 220 sequences of cases take a sixth longer; time steps, which keep the factors, do not).
 BEM_CONTACT_TUNED(int, dense_tangential_elements, 180);
+/// Elements in contact. The same of many right sides with one matrix.
+BEM_CONTACT_TUNED(int, dense_right_sides_elements, 500);
 /// Products of GCR with the factors of a former matrix; then they are made anew, which takes as long as 20
 /// products. Chosen.
 BEM_CONTACT_TUNED(int, most_former_products, 10);

@@ -81,7 +81,7 @@ void open_outline(std::vector<Point2>& points, const std::string& source, Profil
   if (norm(points.back() - points.front()) < crowded)
     points.pop_back(); // where the walk closes there is one point
   // Walked from the base on, so that what is left is in one piece.
-  std::ranges::rotate(points, std::ranges::find_if(points, below));
+  std::rotate(points.begin(), std::ranges::find_if(points, below), points.end());
   std::rotate(points.begin(), std::ranges::find_if_not(points, below), points.end());
   std::erase_if(points, below);
   messages()->warn("{}: the outline is closed: its lower half, with the base at z = {:.4g} mm, is left out",

@@ -16,24 +16,34 @@ constexpr double mirrored_fits = 5;
 /// mm. Sections that differ by less from their neighbours are not looked at: rails are nearly symmetric.
 constexpr double looked_at = 1.0;
 
-std::string named(const std::vector<BodySection>& sections, std::size_t i) {
-  return fmt::format("Section {} ('{}' at {:g} mm)", i + 1, sections[i].profile.name(), sections[i].at);
+/// Sections with the words for them.
+struct NamedSections {
+  const std::vector<BodySection>& sections;
+  const SectionsAre& are;
+
+  std::size_t size() const { return sections.size(); }
+  const BodySection& operator[](std::size_t i) const { return sections[i]; }
+  std::string place(std::size_t i) const { return fmt::format("{:g} {}", sections[i].at, are.unit); }
+};
+
+std::string named(const NamedSections& sections, std::size_t i) {
+  return fmt::format("Section {} ('{}' at {})", i + 1, sections[i].profile.name(), sections.place(i));
 }
 
-void require_places(const std::vector<BodySection>& sections) {
+void require_places(const NamedSections& sections) {
   for (std::size_t i = 1; i < sections.size(); ++i) {
     if (sections[i].at == sections[i - 1].at)
       throw InputError(fmt::format("{} is doubled", named(sections, i)),
                        fmt::format("section {} is at the same place", i), "Leave one of them out.");
     if (!(sections[i].at > sections[i - 1].at))
       throw InputError(fmt::format("{} is out of order", named(sections, i)),
-                       fmt::format("section {} before it is at {:g} mm", i, sections[i - 1].at),
+                       fmt::format("section {} before it is at {}", i, sections.place(i - 1)),
                        "Give the sections by rising place.");
   }
 }
 
-void require_features(const std::vector<BodySection>& sections) {
-  const std::size_t count = sections.front().features.size();
+void require_features(const NamedSections& sections) {
+  const std::size_t count = sections[0].features.size();
   if (count == 1)
     throw InputError(fmt::format("{} has one feature", named(sections, 0)),
                      "a surface lies between two, and what is beyond the first and the last is left out",
@@ -63,7 +73,7 @@ void require_features(const std::vector<BodySection>& sections) {
   }
 }
 
-void require_one_side(const std::vector<BodySection>& sections) {
+void require_one_side(const NamedSections& sections) {
   for (std::size_t i = 1; i < sections.size(); ++i) {
     const ProfileCurve &before = sections[i - 1].profile, &here = sections[i].profile;
     const double apart = distance_of_profiles(before, here);
@@ -76,17 +86,19 @@ void require_one_side(const std::vector<BodySection>& sections) {
 
 } // namespace
 
-void require_sections(const std::vector<BodySection>& sections) {
+void require_sections(const std::vector<BodySection>& sections, const SectionsAre& are) {
   if (sections.size() < 2)
-    throw InputError("A rail has one section", "a surface along the track needs two",
-                     "Give two sections or more, or rail.profile alone.");
-  require_places(sections);
-  require_features(sections);
-  require_one_side(sections);
+    throw InputError(fmt::format("A {} has one section", are.body), "a surface between sections needs two",
+                     fmt::format("Give two sections or more, or {}.profile alone.", are.body));
+  const NamedSections all{sections, are};
+  require_places(all);
+  require_features(all);
+  require_one_side(all);
 }
 
 std::vector<std::vector<char>> stretches_there(const std::vector<BodySection>& sections,
-                                               const CorrespondingPoints& points) {
+                                               const CorrespondingPoints& points, const SectionsAre& are) {
+  const NamedSections all{sections, are};
   std::vector<std::vector<char>> out;
   for (std::size_t i = 0; i + 1 < sections.size(); ++i) {
     const std::vector<char>& joined = points.joined[i];
@@ -98,8 +110,8 @@ std::vector<std::vector<char>> stretches_there(const std::vector<BodySection>& s
     }
     if (pieces != 1)
       throw InputError(
-          fmt::format("There is {} between {:g} mm and {:g} mm along the track",
-                      pieces == 0 ? "no rail" : "a hole in the rail", sections[i].at, sections[i + 1].at),
+          fmt::format("There is {} {} between {} and {}", pieces == 0 ? "no" : "a hole in the", are.body,
+                      all.place(i), all.place(i + 1)),
           fmt::format("sections {} ('{}') and {} ('{}') have {} features next to each other in common", i + 1,
                       sections[i].profile.name(), i + 2, sections[i + 1].profile.name(),
                       pieces == 0 ? "no two" : "not all of the"),

@@ -7,11 +7,11 @@
 namespace bem_contact {
 
 /// Throws InputError for sections that make no surface (SectionedSurface).
-void require_sections(const std::vector<BodySection>& sections);
+void require_sections(const std::vector<BodySection>& sections, const SectionsAre& are);
 
 /// Which stretches between feature lines are there between two sections that follow each other, [interval]
 /// [stretch]: those that both have. Throws InputError where nothing is there, or more than one piece.
 std::vector<std::vector<char>> stretches_there(const std::vector<BodySection>& sections,
-                                               const CorrespondingPoints& points);
+                                               const CorrespondingPoints& points, const SectionsAre& are);
 
 } // namespace bem_contact

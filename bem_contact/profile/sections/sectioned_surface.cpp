@@ -3,12 +3,14 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/sections/correspondence.hpp"
 #include "bem_contact/profile/sections/section_checks.hpp"
+#include "bem_contact/profile/sections/section_curve.hpp"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace bem_contact {
 
@@ -27,6 +29,8 @@ constexpr double smooth_turn_of_section = 1e-9;
 constexpr double feature_at_end = 1e-3;
 /// mm. Distance from a joint at which its other side is looked at.
 constexpr double before_joint = 1e-9;
+/// mm. A line this near to the end of what is there is that end.
+constexpr double end_of_section = 1e-7;
 
 /// Arc length of one section as a monotone cubic of t between its marks (Fritsch and Carlson 1980, slopes
 /// after Butland).
@@ -197,22 +201,38 @@ void split_at_kinks(std::vector<BodySection>& sections, std::vector<std::vector<
     }
 }
 
+/// Points and tangents of the sections from `first` on become those of the B-spline at their places `at`.
+template <class Table> void smooth_sections(Table& table, const std::vector<double>& at, int first) {
+  const Table given = table;
+  for (std::size_t j = 1; j + 1 < at.size(); ++j) {
+    const double before = at[j] - at[j - 1], after = at[j + 1] - at[j], sum = 3 * (before + after);
+    const double a = after / sum, c = before / sum, b = 1 - a - c;
+    auto& to = table[first + j];
+    const auto &left = given[first + j - 1], &here = given[first + j], &right = given[first + j + 1];
+    for (std::size_t k = 0; k < to.size(); ++k) {
+      to[k].position = a * left[k].position + b * here[k].position + c * right[k].position;
+      to[k].before = a * left[k].before + b * here[k].before + c * right[k].before;
+      to[k].after = a * left[k].after + b * here[k].after + c * right[k].after;
+    }
+  }
+}
+
 } // namespace
 
-SectionedSurface::SectionedSurface(std::vector<BodySection> sections) {
+SectionedSurface::SectionedSurface(std::vector<BodySection> sections, const SectionsAre& are) {
   round_features(sections);
-  require_sections(sections);
+  require_sections(sections, are);
   CorrespondingPoints points =
       sections.front().features.empty() ? corresponding_points(sections) : given_points(sections);
-  there_ = stretches_there(sections, points);
+  there_ = stretches_there(sections, points, are);
   split_at_kinks(sections, points.marks, there_);
   for (const BodySection& section : sections)
     at_.push_back(section.at);
-  tabulate(sections, points.marks);
+  tabulate(sections, points.marks, are.approximated);
 }
 
 void SectionedSurface::tabulate(const std::vector<BodySection>& sections,
-                                const std::vector<std::vector<double>>& marks) {
+                                const std::vector<std::vector<double>>& marks, bool approximated) {
   lines_ = places_of_lines(marks);
   std::vector<ArcLength> arcs;
   for (const std::vector<double>& of : marks)
@@ -242,13 +262,13 @@ void SectionedSurface::tabulate(const std::vector<BodySection>& sections,
                             {}});
       }
     }
-    join(k);
+    join(k, approximated);
   }
   first_node_.push_back(static_cast<int>(t_.size()) - 1);
 }
 
 /// Splines along u through the sections that follow each other.
-void SectionedSurface::join(int stretch) {
+void SectionedSurface::join(int stretch, bool approximated) {
   auto& table = nodes_[stretch];
   for (int first = 0; first + 1 < static_cast<int>(at_.size()); ++first) {
     int last = first;
@@ -256,6 +276,8 @@ void SectionedSurface::join(int stretch) {
       ++last;
     if (last == first)
       continue;
+    if (approximated)
+      smooth_sections(table, {at_.begin() + first, at_.begin() + last + 1}, first);
     const Eigen::MatrixXd slopes = slopes_of_spline({at_.begin() + first, at_.begin() + last + 1});
     for (std::size_t node = 0; node < table[first].size(); ++node)
       for (int j = first; j <= last; ++j)
@@ -281,6 +303,25 @@ std::pair<double, double> SectionedSurface::extent(double u) const {
   const auto first = std::ranges::find(there, 1);
   const auto last = std::find(first, there.end(), 0);
   return {lines_[first - there.begin()], lines_[last - there.begin()]};
+}
+
+bool SectionedSurface::has(double u, double t) const {
+  const auto [from, to] = extent(u);
+  return t >= from - end_of_section && t <= to + end_of_section;
+}
+
+ProfileCurve SectionedSurface::section(double u, std::vector<double>& t) const {
+  std::vector<SectionNode> nodes;
+  for (const double node : t_)
+    if (has(u, node)) {
+      const Point before = at(u, node, -1), after = at(u, node, 1);
+      nodes.push_back({u, node, after.position, before.by_t, after.by_t});
+    }
+  ProfileCurve out = curve_through(fmt::format("section at {:.6g}", u), nodes);
+  t.clear();
+  for (const SectionNode& node : nodes)
+    t.push_back(node.t);
+  return out;
 }
 
 SectionedSurface::Point SectionedSurface::at(double u, double t, int side) const {

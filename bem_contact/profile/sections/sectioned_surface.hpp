@@ -2,6 +2,7 @@
 
 #include "bem_contact/profile/profile_curve.hpp"
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -9,7 +10,7 @@ namespace bem_contact {
 
 /// The section of a body at one place.
 struct BodySection {
-  double at = 0; ///< place along the track, mm
+  double at = 0; ///< place along the track, mm; of a wheel: angle, rad
   ProfileCurve profile;
   /// Arc lengths on the profile of the feature lines, in walking order, mm; nan: this section does not have
   /// the feature. All sections have as many; what lies before the first and beyond the last is left out.
@@ -17,6 +18,15 @@ struct BodySection {
   std::vector<double> features = {};
   /// The surface has an edge across the track here: its slope along the track may jump.
   bool kink = false;
+};
+
+/// What messages say of sections, and how the surface runs between them.
+struct SectionsAre {
+  std::string body = "rail", unit = "mm"; ///< of the places
+  /// The surface does not go through the sections: along u it is the cubic B-spline whose control points
+  /// their points are, where places lie evenly (CONTACT's way 2). In between weights keep straight lines
+  /// straight. It is smoother than the sections: each lies at 1/6, 4/6, 1/6 of itself and its neighbours.
+  bool approximated = false;
 };
 
 /// A surface whose section changes along the track: (u, y(u, t), z(u, t)).
@@ -37,7 +47,7 @@ public:
   /// Throws InputError, which names section and place: for fewer than two sections, places that do not rise,
   /// features that are off the profile, out of order or not as many everywhere, pieces with a hole between
   /// them, and a section that is the mirror image of its neighbour.
-  explicit SectionedSurface(std::vector<BodySection> sections);
+  explicit SectionedSurface(std::vector<BodySection> sections, const SectionsAre& are = {});
 
   double from() const { return at_.front(); } ///< u of the first section, mm
   double to() const { return at_.back(); }    ///< and of the last one
@@ -50,10 +60,16 @@ public:
   Point at(double u, double t, int side = 1) const;
   /// t of both ends of what is there at u, mm.
   std::pair<double, double> extent(double u) const;
+  /// Whether t is on what is there at u, or at its end.
+  bool has(double u, double t) const;
   /// All t at which curves are tabulated, rising: tangents may jump there and nowhere else.
   const std::vector<double>& nodes() const { return t_; }
   /// The feature lines, given or found: t of each.
   const std::vector<double>& lines() const { return lines_; }
+  /// The places of the sections, rising; that of a kink twice.
+  const std::vector<double>& places() const { return at_; }
+  /// The curve at u = const, and the t of its joints.
+  ProfileCurve section(double u, std::vector<double>& t) const;
 
 private:
   /// Of one section at one node: the point and its tangents by t on both sides, and what each changes by
@@ -61,8 +77,9 @@ private:
   struct Node {
     Point2 position, before, after, position_u, before_u, after_u;
   };
-  void tabulate(const std::vector<BodySection>& sections, const std::vector<std::vector<double>>& marks);
-  void join(int stretch);
+  void tabulate(const std::vector<BodySection>& sections, const std::vector<std::vector<double>>& marks,
+                bool approximated);
+  void join(int stretch, bool approximated);
   int interval(double u) const;
   Point in_cell(double u, double t, int cell) const;
 

@@ -5,8 +5,8 @@
 #include "bem_contact/base/place_in_table.hpp"
 #include "bem_contact/profile/formats/text_lines.hpp"
 #include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -98,6 +98,7 @@ private:
 struct SlicesHeader {
   double offset = 0, scale = 1;
   int slices = 0, features = 0, kinks = 0, jumps = 0;
+  bool approximated = false;
 };
 
 int whole_number(SliceLines& in, double value, double most, const char* what) {
@@ -122,11 +123,10 @@ SlicesHeader read_header(SliceLines& in) {
   out.jumps = whole_number(in, in.number_or(0), most_features, "the number of jumps of the curvature");
   in.begin();
   const double way = in.number("the way of interpolation");
-  if (way != 1)
-    in.refuse(way == 2 ? "2 asks for a smoothing approximation between the sections, whose rule is not "
-                         "published"
-                       : fmt::format("{:g} is no way of interpolation", way),
-              "Give 1: the surface goes through the sections.");
+  if (way != 1 && way != 2)
+    in.refuse(fmt::format("{:g} is no way of interpolation", way),
+              "Give 1: the surface goes through the sections; or 2: it is smoother than they are.");
+  out.approximated = way == 2;
   if (in.number_or(0) != 0)
     in.refuse("perturbations of the surface are not known here", "Give 0, or leave the number out.");
   return out;
@@ -153,10 +153,10 @@ private:
 };
 
 /// Errors name the line of the slices file.
-ProfileCurve profile_of(const std::filesystem::path& file, const Slice& slice,
+ProfileCurve profile_of(const std::filesystem::path& file, const Slice& slice, ProfileKind kind,
                         const ProfileReading& reading) {
   try {
-    return named_profile(slice.profile.string(), ProfileKind::rail, {}, reading);
+    return named_profile(slice.profile.string(), kind, {}, reading);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}:{}: {}", file.string(), slice.line, error.what()));
   }
@@ -164,29 +164,32 @@ ProfileCurve profile_of(const std::filesystem::path& file, const Slice& slice,
 
 } // namespace
 
-bool names_slices(std::string_view name) {
-  return name.ends_with(".slcs") || name.ends_with(".slcw");
+std::optional<ProfileKind> kind_of_slices(const std::filesystem::path& name) {
+  const std::string ending = lower_ending(name);
+  return ending == ".slcs"   ? std::optional(ProfileKind::rail)
+         : ending == ".slcw" ? std::optional(ProfileKind::wheel)
+                             : std::nullopt;
 }
 
-std::vector<Slice> read_slices(const std::filesystem::path& file) {
-  if (file.extension() == ".slcw")
-    throw InputError(fmt::format("{} gives the sections of a wheel", file.string()),
-                     "wheels are solved with one profile all round",
-                     "Give wheel.profile and wheel.flat or wheel.polygon.");
+SlicesFile read_slices(const std::filesystem::path& file) {
+  const char* unit = kind_of_slices(file) == ProfileKind::wheel ? "rad" : "mm";
   SliceLines in(file);
   const SlicesHeader header = read_header(in);
-  std::vector<Slice> out;
+  SlicesFile all{{}, header.approximated};
+  std::vector<Slice>& out = all.slices;
   for (int i = 0; i < header.slices; ++i) {
     in.begin();
     const double place = in.number("the place of a section");
     const int line = in.line();
-    out.push_back({header.scale * (header.offset + place),
-                   file.parent_path() / in.text("the file of a section"),
-                   {},
-                   line});
+    const std::string profile = in.text("the file of a section");
+    out.push_back(
+        {header.scale * (header.offset + place),
+         is_standard_profile(profile) ? std::filesystem::path(profile) : file.parent_path() / profile,
+         {},
+         line});
     if (i > 0 && !(out[i].at > out[i - 1].at))
-      in.refuse(fmt::format("section {} is at {:g} mm and the one before it at {:g} mm", i + 1, out[i].at,
-                            out[i - 1].at),
+      in.refuse(fmt::format("section {0} is at {1:g} {3} and the one before it at {2:g} {3}", i + 1,
+                            out[i].at, out[i - 1].at, unit),
                 "Give the sections by rising place.");
   }
   for (const int parts : {header.kinks, header.jumps})
@@ -199,21 +202,28 @@ std::vector<Slice> read_slices(const std::filesystem::path& file) {
     in.begin();
     const double at = header.scale * (header.offset + in.number("the place of a section"));
     if (std::abs(at - out[i].at) > 1e-3)
-      in.refuse(fmt::format("the features of section {} are those of a place at {:g} mm", i + 1, at),
-                fmt::format("Give them for {:g} mm, in the order of the sections.", out[i].at));
+      in.refuse(fmt::format("the features of section {} are those of a place at {:g} {}", i + 1, at, unit),
+                fmt::format("Give them for {:g} {}, in the order of the sections.", out[i].at, unit));
     for (int k = 0; k < header.features; ++k) {
       const double s = in.number("a feature");
       out[i].features.push_back(s < 0 ? std::numeric_limits<double>::quiet_NaN() : s);
     }
   }
-  return out;
+  return all;
 }
 
-std::vector<BodySection> sections_of_slices(const std::filesystem::path& file,
-                                            const ProfileReading& reading) {
-  std::vector<BodySection> out;
-  for (const Slice& slice : read_slices(file)) {
-    BodySection& section = out.emplace_back(BodySection{slice.at, profile_of(file, slice, reading)});
+SlicedBody sections_of_slices(const std::filesystem::path& file, ProfileKind kind,
+                              const ProfileReading& reading) {
+  const bool wheel = kind == ProfileKind::wheel;
+  if ((kind_of_slices(file) == ProfileKind::wheel) != wheel)
+    throw InputError(fmt::format("{} gives the sections of a {}", file.string(), wheel ? "rail" : "wheel"),
+                     fmt::format("the sections of a {} are asked for", wheel ? "wheel" : "rail"),
+                     fmt::format("Give a file that ends with {}.", wheel ? ".slcw" : ".slcs"));
+  const SlicesFile given = read_slices(file);
+  SlicedBody out{{}, given.approximated};
+  for (const Slice& slice : given.slices) {
+    BodySection& section =
+        out.sections.emplace_back(BodySection{slice.at, profile_of(file, slice, kind, reading)});
     if (slice.features.empty())
       continue;
     const ChordLength lengths(section.profile);

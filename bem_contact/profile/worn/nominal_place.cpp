@@ -243,10 +243,10 @@ std::vector<NominalPlace> best_of(const std::vector<NominalPlace>& places, const
     rated.emplace_back(roughly_off(place, nominal, points, choice.farthest), place);
   std::ranges::stable_sort(rated, {}, &std::pair<double, NominalPlace>::first);
   std::vector<NominalPlace> out;
-  for (const auto& [off, place] : rated)
-    if (out.size() < choice.count && off <= choice.ratio * rated.front().first &&
-        std::ranges::none_of(out, [&](const NominalPlace& other) { return same_place(other, place); }))
-      out.push_back(place);
+  for (const auto& one : rated)
+    if (out.size() < choice.count && one.first <= choice.ratio * rated.front().first &&
+        std::ranges::none_of(out, [&](const NominalPlace& other) { return same_place(other, one.second); }))
+      out.push_back(one.second);
   return out;
 }
 

@@ -23,7 +23,7 @@ Each command of the program has a function here, or is called as a command:
     info, influence, stresses, schema, new, replay, fmu, from-contact, explore, options such as --csv    python3 -m bem_contact info FILE.h5, from a shell
 
 A profile of your own may be arrays: Profile(y, z, kind) goes wherever a profile file goes,
-and Sections(at, profiles) wherever rail.profile goes, for a rail that changes along the track.
+and Sections(at, profiles) wherever rail.profile goes, for a rail that changes along the track, or a wheel round its axle.
 
 `help(bem_contact.solve)` and `help(bem_contact.Result)` say what goes in and what comes out; each function and class has such a text.
 Classes: Result, Sequence, Table, Sweep, Profile, Sections, Error, InputError, ConvergenceError.

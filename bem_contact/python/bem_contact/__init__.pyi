@@ -142,13 +142,14 @@ class Profile(PathLike[str]):
     def __fspath__(self) -> str: ...
 
 class Sections(PathLike[str]):
-    """A rail whose section changes along the track, for wherever `rail.profile` goes."""
+    """A rail whose section changes along the track, or a wheel whose section changes round its axle."""
 
     def __init__(
         self,
         at: _List[float] | NDArray[Any],
         profiles: _List[str | PathLike[str]],
         features: _List[_List[float]] | None = None,
+        kind: Literal["rail", "wheel"] = "rail",
     ) -> None: ...
     def __fspath__(self) -> str: ...
 
@@ -165,7 +166,6 @@ def conicity(
     to: float = 10.0,
     step: float = 1.0,
     folder: str | PathLike[str] | None = None,
-    executor: Executor | None = None,
 ) -> dict[str, Any]:
     """Rolling radius difference and equivalent conicity (EN 15302) of a wheelset: a dict of NumPy arrays.
 
@@ -326,7 +326,7 @@ def fatigue(
     wear_is_negative: bool = False,
     folder: str | PathLike[str] | None = None,
 ) -> dict[str, Any]:
-    """The same of each case of a table [sweep], as arrays over the patches of all cases, and the damage of the collective."""
+    """The same of each case of a table [sweep], a dict for each patch of all cases, and the damage of the collective."""
 
 def shakedown(
     result: Result,

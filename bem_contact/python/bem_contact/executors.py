@@ -1,6 +1,6 @@
 """Work shared by an executor: of concurrent.futures, mpi4py.futures, Dask (client.get_executor()), loky.
 
-A task is a function of this package and its arguments, all of which can be pickled. It may run in any process that can import
+A task is a name, what all portions of some work have in common, and one portion, as bytes. It may run in any process that can import
 bem_contact and sees the same files, and says the same wherever it runs.
 """
 
@@ -8,9 +8,9 @@ import concurrent.futures
 from importlib import import_module
 
 
-def part(kind, *arguments):
-    """One task, in the process or thread that the executor has chosen."""
-    return getattr(import_module("bem_contact._core"), f"_{kind}_part")(*arguments)
+def answer(task, common, portion):
+    """That of one portion, in the process or thread that the executor has chosen."""
+    return import_module("bem_contact._core")._run_task(task, common, portion)
 
 
 def results_of(executor, function, tasks):
@@ -24,18 +24,13 @@ def results_of(executor, function, tasks):
         raise
 
 
-def run_on(executor, kind, tasks):
-    """The results of all tasks of a kind."""
-    return results_of(executor, part, [(kind, *task) for task in tasks])
-
-
-def run_each(executor, kind, tasks, take):
-    """take(number of the task, its result) for each task of a kind, as soon as it is there. No result is kept."""
+def run_each(executor, task, common, portions, take):
+    """take(number of the portion, its answer) for each, as soon as it is there. No answer is kept. No executor: here."""
     if executor is None:
-        for number, task in enumerate(tasks):
-            take(number, part(kind, *task))
+        for number, portion in enumerate(portions):
+            take(number, answer(task, common, portion))
         return
-    numbers = {executor.submit(part, kind, *task): number for number, task in enumerate(tasks)}
+    numbers = {executor.submit(answer, task, common, portion): number for number, portion in enumerate(portions)}
     try:
         # Somebody else's futures are waited for in their order.
         known = all(isinstance(future, concurrent.futures.Future) for future in numbers)

@@ -2,7 +2,7 @@
 
 import hashlib
 import tempfile
-from os import PathLike, path
+from os import PathLike, fspath, path
 
 _plain_names = {}  # {file: what it holds}
 _folder = None  # of the files of this process; they are removed when it ends
@@ -13,7 +13,7 @@ def _file(text, kind):
     global _folder
     if _folder is None or not path.isdir(_folder.name):
         _folder = tempfile.TemporaryDirectory(prefix="bem_contact_profiles_")
-    ending = {"wheel": ".whl", "rail": ".ban", "sections": ".slcs"}[kind]
+    ending = {"wheel": ".whl", "rail": ".ban", "sections": ".slcs", "wheel_sections": ".slcw"}[kind]
     name = f"profile_{hashlib.sha256(text.encode()).hexdigest()[:12]}{ending}"
     file = path.join(_folder.name, name)
     if not path.exists(file):
@@ -73,34 +73,38 @@ class Profile(PathLike):
 
 
 class Sections(PathLike):
-    """A rail whose section changes along the track, for wherever `rail.profile` goes.
+    """A rail whose section changes along the track, for wherever `rail.profile` goes; or a wheel that changes round its axle.
 
         rail = bem_contact.Sections([0, 500], [Profile(y0, z0, "rail"), Profile(y1, z1, "rail")])
         r = bem_contact.solve("scene.toml", {"rail.profile": rail, "position.along": 250})
+        wheel = bem_contact.Sections([0, 3.1], ["S1002", Profile(y, z, "wheel")], kind="wheel")
 
-    `at`: places along the track, rising, mm. `profiles`: one for each, a Profile or a profile file, all with the same origin.
-    `features`: for each section the lengths along the chords of its points, from the first one (gauge side), at which the
-    feature lines lie, mm; below 0 where it does not have one. Without them what corresponds is found.
+    `at`: places along the track, rising, mm; of a wheel: angles within one turn, rad. `profiles`: one for each, a Profile, a
+    profile file or a standard's name, all with the same origin. `features`: for each section the lengths along the chords of its
+    points, from the first one (gauge side), at which the feature lines lie, mm; below 0 where it does not have one. Without them
+    what corresponds is found. `kind`: "rail" or "wheel".
 
-    `fspath()` is a slices file (.slcs) that lasts until this process ends.
+    `fspath()` is a slices file (.slcs, .slcw) that lasts until this process ends.
     """
 
-    def __init__(self, at, profiles, features=None):
+    def __init__(self, at, profiles, features=None, kind="rail"):
         from ._core import InputError
+        if kind not in ("rail", "wheel"):
+            raise InputError(f"There is no kind of sections {kind!r} (there are rails and wheels) Give kind=\"rail\" or kind=\"wheel\".")
         at, profiles = [float(place) for place in at], list(profiles)
         features = [[] for _ in at] if features is None else [[float(s) for s in of] for of in features]
         if not len(at) == len(profiles) == len(features):
-            raise InputError(f"The sections of this rail cannot be used (there are {len(at)} places, {len(profiles)} profiles and {len(features)} lists "
+            raise InputError(f"The sections of this {kind} cannot be used (there are {len(at)} places, {len(profiles)} profiles and {len(features)} lists "
                              "of features) Give one of each for each section.")
         if len({len(of) for of in features}) > 1:
-            raise InputError("The features of this rail cannot be used (each is a line through all sections, and some sections have more than others) "
+            raise InputError(f"The features of this {kind} cannot be used (each is a line through all sections, and some sections have more than others) "
                              "Give each section as many, below 0 where it does not have one.")
-        names = [path.abspath(profile) for profile in profiles]
+        names = [path.abspath(profile) if path.exists(profile) else fspath(profile) for profile in profiles]
         text = f"0 1\n{len(at)}\n{len(features[0]) if features else 0}\n1\n"
         text += "".join(f"{u!r} '{name}'\n" for u, name in zip(at, names))
         text += "".join(f"{u!r} {' '.join(map(repr, of))}\n" for u, of in zip(at, features) if len(of) > 1)
-        self._path = _file(text, "sections")
-        _plain_names[self._path] = f"the {len(at)} sections of a rail"
+        self._path = _file(text, "sections" if kind == "rail" else "wheel_sections")
+        _plain_names[self._path] = f"the {len(at)} sections of a {kind}"
 
     def __fspath__(self):
         return self._path

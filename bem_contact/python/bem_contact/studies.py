@@ -3,6 +3,7 @@
 import contextlib
 import os
 import subprocess
+import tempfile
 from pathlib import Path
 
 from .executors import results_of
@@ -12,22 +13,26 @@ _FIRST = ("influence", "wheelset")  # what other parts may use
 
 
 def call(words):
-    """`bem_contact study WORDS`, in the process or thread that an executor has chosen: exit code, what it printed, its messages."""
+    """`bem_contact study WORDS`, in the process or thread that an executor has chosen: exit code, what it printed, its last error."""
     from ._core import Error
     program = program_file()
     if program is None:
         raise Error("The program bem_contact was not found (it is neither beside this module nor on PATH) Install it, or put its "
                     "folder on PATH.")
-    done = subprocess.run([program, "study", *words], stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8", errors="replace")
-    return done.returncode, done.stdout, done.stderr
+    with tempfile.TemporaryDirectory() as folder:
+        told = Path(folder, "messages")  # base/message_file.hpp: a line is a kind, a tab and a text
+        done = subprocess.run([program, "study", *words], stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8", errors="replace",
+                              env={**os.environ, "BEM_CONTACT_MESSAGES": str(told)})
+        lines = told.read_text(encoding="utf-8", errors="replace").splitlines() if told.exists() else []
+    errors = [text for kind, text in (line.split("\t", 1) for line in lines) if kind == "error"]
+    return done.returncode, done.stdout, errors[-1] if errors else ""
 
 
-def raise_what(code, messages):
+def raise_what(code, error):
     """What the program has said, as the exception that a function raises."""
     from ._core import ConvergenceError, Error, InputError
-    said = [line.removeprefix("error: ") for line in messages.splitlines() if line.startswith("error: ")]
     kind = {2: InputError, 3: ConvergenceError}.get(code, Error)
-    raise kind(said[-1] if said else f"The program ended with code {code} ({messages.strip() or 'it said nothing'}) Call bem_contact study.")
+    raise kind(error or f"The program ended with code {code} (it said nothing) Call bem_contact study.")
 
 
 def identity(file):
@@ -74,17 +79,17 @@ def study(scene, output, *, jobs=0, folder=None, executor=None, influence=None):
         words += ["--jobs", str(jobs or 1)]
     file = output / "study.h5"
     before = identity(file)
-    code, _, messages = call(words)
+    code, _, error = call(words)
     if identity(file) == before:
-        raise_what(code, messages)
+        raise_what(code, error)
     return _read_record(file)
 
 
 def _share(executor, words):
     """Has the parts and draws computed. What is refused is not said here: the study says it when it is put together."""
-    code, listed, messages = call([*words, "--list"])
+    code, listed, error = call([*words, "--list"])
     if code:
-        raise_what(code, messages)
+        raise_what(code, error)
     tasks = listed.split()
     for name in [one for one in _FIRST if one in tasks]:
         results_of(executor, call, [([*words, "--only", name],)])

@@ -220,7 +220,8 @@ void LateralSearch::refuse(const LateralForce& force) {
   };
   survey_range();
   for (;;) {
-    const auto [least, most] = look();
+    const auto looked = look();
+    const auto &least = looked.min, &most = looked.max;
     const double wanted = question_.wanted;
     const double low = wanted < least.force && wanted > least.force - near ? near : even,
                  high = wanted > most.force && wanted < most.force + near ? near : even;

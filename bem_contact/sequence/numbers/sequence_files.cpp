@@ -37,7 +37,7 @@ WheelRailProfiles SequenceFiles::profiles(const SceneFile& scene) {
   return take(
       profiles_,
       ProfileSources{scene.folder, scene.rail.profile, scene.wheel.profile, scene.rail.reading,
-                     scene.wheel.reading, scene.rail.sections},
+                     scene.wheel.reading, scene.rail.sections, scene.wheel.sections},
       [&] { return read_profiles(scene); }, [](const WheelRailProfiles&) { return 1.0; },
       static_cast<double>(most_profiles_));
 }

@@ -28,7 +28,7 @@ private:
     std::filesystem::path folder;
     std::string rail, wheel;
     ProfileReading rail_reading, wheel_reading;
-    std::vector<SceneFile::Section> sections;
+    std::vector<SceneFile::Section> rail_sections, wheel_sections;
     bool operator==(const ProfileSources&) const = default;
   };
   struct InfluenceSources { ///< with the materials, which the reader checks

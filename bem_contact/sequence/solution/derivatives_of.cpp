@@ -5,6 +5,7 @@
 #include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/solution/numbers_of_grid.hpp"
+#include "bem_contact/sequence/solution/profile_changes.hpp"
 #include "bem_contact/sequence/solution/structural_motion.hpp"
 
 #include <fmt/format.h>
@@ -14,31 +15,6 @@
 namespace bem_contact {
 
 namespace {
-
-/// The bodies of a scene that differs from that of `asked` in one number.
-ContactSetup changed_setup(const ContactCase& asked, const SceneFile& scene, InputReach reach) {
-  if (reach != InputReach::bodies)
-    return with_motion_of(scene, asked.setup);
-  if (asked.setup.patch())
-    return set_up_patch(scene);
-  const WheelRailGeometry& placed = *asked.setup.wheel_rail();
-  return set_up_contact(scene, {placed.pair.rail, placed.pair.wheel, placed.rail_inclination});
-}
-
-ContactOnGrid contact_of(const ContactSetup& setup, const ContactOnGrid& before, InputReach reach) {
-  if (reach == InputReach::bodies)
-    return setup.on(before.plan);
-  ContactOnGrid out = before;
-  out.problem.friction_rows.clear();
-  apply_motion(setup.motion, setup.reference().delta, out.problem);
-  if (out.problem.tangential) {
-    out.problem.yield = setup.layer.yield;
-    setup.prescribe({}, out.problem);
-  }
-  if (reach == InputReach::layer)
-    out.layer = setup.layer.on(out.problem.rows);
-  return out;
-}
 
 /// What a side has as a result, without fields that no quantity looks at.
 SceneResult side_of(const ContactSetup& setup, ContactProblem problem, ContactResult continued) {
@@ -87,27 +63,47 @@ bool moves_numbers(Model model, const ChangedContact& changed, InputReach reach)
          (turns_with_rows(model) && inclinations_differ());
 }
 
-/// The tangents of one solution, from input to input.
+/// A point of a profile, as a number.
+SceneNumber number_of_point() {
+  return {"point", "profile", "mm", nullptr, InputReach::bodies, 0};
+}
+
+/// The tangents of one solution, from input to input: numbers of the scene, then points of profiles.
 class DerivativesOfGrid {
 public:
   DerivativesOfGrid(const ContactCase& asked, const GridSolution& solved, const SolveResources& resources)
       : asked_(asked), solved_(solved), resources_(resources), scene_(asked.scene),
-        inputs_(derivative_inputs(scene_)) {}
+        inputs_(derivative_inputs(scene_)), numbers_(inputs_.size()), profiles_(asked, solved) {
+    inputs_.resize(numbers_ + profiles_.size(), number_of_point());
+  }
 
-  std::vector<InputDerivatives> with(InfluenceNumbers& numbers);
+  ResultDerivatives with(InfluenceNumbers& numbers);
 
 private:
+  ChangedContact changed(std::size_t k) const {
+    return k < numbers_ ? changed_contact(asked_, solved_.contact, int(k)) : profiles_.changed(k - numbers_);
+  }
+  ResultDerivatives sorted(std::vector<InputDerivatives> all) const {
+    std::vector<InputDerivatives> by_point;
+    for (std::size_t k = numbers_; k < all.size(); ++k)
+      by_point.push_back(std::move(all[k]));
+    all.resize(numbers_);
+    return {std::move(all), profiles_.sorted(std::move(by_point))};
+  }
+
   const ContactCase& asked_;
   const GridSolution& solved_;
   const SolveResources& resources_;
   SceneFile scene_;
   std::vector<SceneNumber> inputs_;
+  std::size_t numbers_; ///< of these
+  ProfileChanges profiles_;
 };
 
-std::vector<InputDerivatives> DerivativesOfGrid::with(InfluenceNumbers& numbers) {
+ResultDerivatives DerivativesOfGrid::with(InfluenceNumbers& numbers) {
   std::vector<ChangedContact> sides;
   const auto input = [&](int k) -> TangentInput {
-    ChangedContact& changed = sides.emplace_back(changed_contact(asked_, solved_.contact, k));
+    ChangedContact& changed = sides.emplace_back(this->changed(std::size_t(k)));
     TangentInput out{changed.lower.problem, changed.upper.problem, changed.step};
     if (moves_numbers(solved_.model, changed, inputs_[std::size_t(k)].reach)) {
       const auto numbers_of = [&](const ContactCase& asked, const ContactOnGrid& contact) {
@@ -139,7 +135,7 @@ std::vector<InputDerivatives> DerivativesOfGrid::with(InfluenceNumbers& numbers)
         side_of(side.lower_case.setup, std::move(side.lower.problem), std::move(found[k].lower)),
         side_of(side.upper_case.setup, std::move(side.upper.problem), std::move(found[k].upper)), side.step));
   }
-  return out;
+  return sorted(std::move(out));
 }
 
 [[noreturn]] void refuse(const std::string& why, const std::string& what_to_do) {
@@ -148,28 +144,12 @@ std::vector<InputDerivatives> DerivativesOfGrid::with(InfluenceNumbers& numbers)
 
 } // namespace
 
-ChangedContact changed_contact(const ContactCase& asked, const ContactOnGrid& contact, int which) {
-  SceneFile scene = asked.scene;
-  const SceneNumber number = derivative_inputs(scene)[std::size_t(which)];
-  const double at = *number.value, below = at - number.step, above = at + number.step;
-  const auto set_up = [&](double value) {
-    *number.value = value;
-    ContactCase out = asked;
-    out.scene = scene;
-    out.setup = changed_setup(asked, scene, number.reach);
-    return out;
-  };
-  ChangedContact out{set_up(below), set_up(above), {}, {}, 0.5 * (above - below)};
-  out.lower = contact_of(out.lower_case.setup, contact, number.reach);
-  out.upper = contact_of(out.upper_case.setup, contact, number.reach);
-  return out;
-}
-
 void require_derivatives(const SceneFile& scene) {
   if (scene.derivatives.empty())
     return;
   SceneFile looked_at = scene;
-  if (derivative_inputs(looked_at).empty())
+  const std::vector<std::string> profiles = profile_inputs(scene);
+  if (derivative_inputs(looked_at).empty() && profiles.empty())
     refuse("derivatives name nothing that it gives", "Name a number that it gives, as load.");
   if (scene.motion.kind != MotionKind::steady && !scene.motion.frictionless)
     refuse("a history has none: they would be those of every step before",
@@ -183,19 +163,28 @@ void require_derivatives(const SceneFile& scene) {
   if (scene.layer.slope)
     refuse("the layer is found for layer.slope",
            "Give the layer.compliance that was found (layer_compliance of the result).");
-  if (scene.has_sections())
+  if (scene.rail.has_sections())
     refuse("the rail changes along the track, and its results are turned into the track's frame",
            "Leave out derivatives, or give one section of the rail.");
+  if (scene.wheel.has_sections())
+    refuse("the wheel changes round its circumference, and its results are turned into the track's frame",
+           "Leave out derivatives, or give one section of the wheel.");
   if (is_placed_by_contact(scene))
     refuse("solver.contact_motion = \"placed\" moves the bodies with the solution",
            "Choose solver.contact_motion = \"linear\", or leave out derivatives.");
+  if (scene.solver.model && has_files(*scene.solver.model) && !profiles.empty())
+    refuse("influence files are of the profiles as they are", "Choose solver.model = \"halfspace\".");
   if (scene.solver.model && is_closed_form(*scene.solver.model))
     refuse(fmt::format("the model {} is a closed form", name_of(scene.solver.model)),
            "Choose solver.model = \"halfspace\", or leave out derivatives.");
 }
 
-std::vector<InputDerivatives> derivatives_of(const ContactCase& asked, GridSolution& solved,
-                                             const SolveResources& resources) {
+ResultDerivatives derivatives_of(const ContactCase& asked, GridSolution& solved,
+                                 const SolveResources& resources) {
+  if (has_files(solved.model) && !profile_inputs(asked.scene).empty())
+    refuse(
+        "influence files are of the profiles as they are",
+        "Choose solver.model = \"halfspace\" or \"tangent_plane\" for derivatives with respect to profiles.");
   if (is_closed_form(solved.model))
     refuse(fmt::format("the model {} is a closed form, and was chosen", name_of(solved.model)),
            "Choose solver.model = \"halfspace\", or leave out derivatives.");
@@ -204,7 +193,7 @@ std::vector<InputDerivatives> derivatives_of(const ContactCase& asked, GridSolut
            "Choose solver.structural_motion = \"linear\", or leave out derivatives.");
   NumbersOfGrid pair(asked, solved.model, solved.contact, resources);
   InfluenceNumbers numbers = pair.take(solved.numbers);
-  std::vector<InputDerivatives> out = DerivativesOfGrid(asked, solved, resources).with(numbers);
+  ResultDerivatives out = DerivativesOfGrid(asked, solved, resources).with(numbers);
   pair.keep(std::move(numbers), solved.numbers);
   return out;
 }

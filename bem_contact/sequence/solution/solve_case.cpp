@@ -263,12 +263,12 @@ std::optional<Measured> free_creepage_if_asked(PlacedSolution& placed, const Sol
                                                : std::nullopt;
 }
 
-std::vector<InputDerivatives> derivatives_if_asked(PlacedSolution& placed, const SolveResources& resources) {
+ResultDerivatives derivatives_if_asked(PlacedSolution& placed, const SolveResources& resources) {
   const ContactResult& result = placed.solved.result;
   const bool asked = resources.derivatives && !resources.totals_only &&
                      !placed.asked.scene.derivatives.empty() && result.certified() &&
                      !result.patches.empty() && ends_here(resources, placed.solved);
-  return asked ? derivatives_of(placed.asked, placed.solved, resources) : std::vector<InputDerivatives>{};
+  return asked ? derivatives_of(placed.asked, placed.solved, resources) : ResultDerivatives{};
 }
 
 /// SceneResult::free_rolling of what free_creepage_of() found.
@@ -285,10 +285,11 @@ SceneResult recorded(PlacedSolution placed, const ModelChoice& choice, const Sol
   const Stopwatch finding;
   const std::optional<Measured> free = free_creepage_if_asked(placed, resources);
   const double seconds = finding.seconds();
-  std::vector<InputDerivatives> derivatives = derivatives_if_asked(placed, resources);
+  ResultDerivatives derivatives = derivatives_if_asked(placed, resources);
   SceneResult out = record_of(placed.asked, std::move(placed.solved), choice);
   out.structure = std::move(placed.structure);
-  out.derivatives = std::move(derivatives);
+  out.derivatives = std::move(derivatives.numbers);
+  out.profile_derivatives = std::move(derivatives.profiles);
   if (out.motion.lateral && resources.displacements &&
       !resources.totals_only) // not where one of many totals is wanted
     out.conformity = conformity_of_case(placed.asked);

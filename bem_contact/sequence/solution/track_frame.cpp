@@ -33,6 +33,7 @@ void turn_totals(const WheelOnRail& pair, ContactTotals& totals, double* slope_f
 
 void in_track_frame(const WheelOnRail& pair, SceneResult& out) {
   const RailFrame& frame = pair.sections->frame();
+  out.motion.frame = frame;
   turn_totals(pair, out.result.totals, out.motion.slope_force ? &*out.motion.slope_force : nullptr);
   for (ContactResult& step : out.history)
     turn_totals(pair, step.totals, nullptr);

@@ -195,13 +195,11 @@ record::Record record_of(const Fatigue& f, const ContactGrid& grid) {
                           {"s", Number{p.s, "mm", "where that is, arc length along the rail"}},
                           {"depth", Number{p.depth, "mm", "where that is, below the surface"}}};
   };
-  record::Table patches = record::table_of("patch", patch_columns(), f.patches);
-  patches.layout = record::Layout::rows;
   record::Record out{{"FI", record::Field{"1",
                                           "mu used less k/p0 of each element; -0.5 outside the contact",
                                           {std::size_t(grid.ms), std::size_t(grid.mx)},
                                           f.element_index}},
-                     {"patches", std::move(patches)}};
+                     {"patches", record::as_rows(record::table_of("patch", patch_columns(), f.patches))}};
   if (f.peaks)
     out.add("von_mises", peak(f.peaks->von_mises, "largest below the surface"))
         .add("tresca", peak(f.peaks->tresca, "largest shear stress below the surface"));
@@ -221,7 +219,7 @@ record::Record record_of(const CollectiveFatigue& f, const FatigueProperties& pr
                                     true}},
       {"damage", Number{f.damage, "1", "of one passage, mean over the collective"}},
       {"yield_shear", Number{properties.yield_shear, "MPa", "k, the yield stress in shear"}},
-      {"patches", record::table_of("patch of a case", collective_columns(), f.patches)}};
+      {"patches", record::as_rows(record::table_of("patch of a case", collective_columns(), f.patches))}};
 }
 
 } // namespace bem_contact::fatigue

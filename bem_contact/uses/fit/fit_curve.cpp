@@ -13,7 +13,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
-#include <ranges>
 
 namespace bem_contact::fit {
 
@@ -255,8 +254,8 @@ void add_computed(CurveFit& out, FittedScene& fitted, const Solution& solution, 
     add_curve(out, fitted, solution, spread, unknowns, stop);
     out.solution = out.curves->solution;
   }
-  for (MeasuredForces& more : m.forces | std::views::drop(1))
-    creep_curves_beside(more, out.scene, {}, stop);
+  for (std::size_t i = 1; i < m.forces.size(); ++i)
+    creep_curves_beside(m.forces[i], out.scene, {}, stop);
   std::size_t first = 0;
   for (const MeasuredForces& forces : m.forces)
     first += forces.measured.size();

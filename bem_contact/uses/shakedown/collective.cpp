@@ -200,7 +200,8 @@ record::Record record_of(const CollectiveShakedown& found, const ShakedownProper
   worst("dang_van", e.worst_dang_van, "MPa", "largest shear stress of Dang Van of all cases");
   worst("damage", e.worst_damage, "1",
         "of one passage after Miner, mean over the collective; a crack begins at 1");
-  out.add("patches", record::table_of("patch of a case", collective_columns(), found.patches));
+  out.add("patches",
+          record::as_rows(record::table_of("patch of a case", collective_columns(), found.patches)));
   out.add("envelope",
           record::Record{
               {"s", field(e.s, "mm", "of the points, arc length along the rail")},

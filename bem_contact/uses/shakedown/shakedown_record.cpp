@@ -92,12 +92,10 @@ record::Record section_record(const PatchShakedown& p, const std::string& words)
 
 record::Record record_of(const Shakedown& found, const ShakedownProperties& properties) {
   using record::Number;
-  record::Table patches = record::table_of("patch", patch_columns(), found.patches);
-  patches.layout = record::Layout::rows;
   record::Record out = properties_record(properties);
   out.add("too_small",
           Number{double(found.too_small), "1", "patches with too few elements to tell", {}, true})
-      .add("patches", std::move(patches));
+      .add("patches", record::as_rows(record::table_of("patch", patch_columns(), found.patches)));
   if (!found.patches.empty()) {
     const PatchShakedown& worst =
         *std::ranges::min_element(found.patches, {}, [](const PatchShakedown& p) { return p.lower.value; });

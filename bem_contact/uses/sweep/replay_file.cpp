@@ -13,7 +13,7 @@
 #include <iterator>
 #include <numbers>
 #include <optional>
-#include <ranges>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -80,7 +80,7 @@ public:
       for (const double value : numbers(named, axis.unit()))
         axis.values.emplace_back(value);
       axis.table = asked_.run.string();
-      std::ranges::transform(lines_ | std::views::drop(1), std::back_inserter(axis.lines), &CsvLine::number);
+      std::ranges::transform(std::span(lines_).subspan(1), std::back_inserter(axis.lines), &CsvLine::number);
       axis.beside = out.axes.size() > first;
       out.axes.push_back(std::move(axis));
     }
@@ -232,7 +232,7 @@ private:
     const auto at = static_cast<std::size_t>(cell - head.begin());
     std::vector<double> out;
     out.reserve(lines_.size() - 1);
-    for (const CsvLine& line : lines_ | std::views::drop(1)) {
+    for (const CsvLine& line : std::span(lines_).subspan(1)) {
       require_cells(asked_.run, line, head.size());
       const std::string_view text = line.cells[at].text;
       const std::optional<double> value = number_of_text(text.substr(text.starts_with('+') ? 1 : 0));

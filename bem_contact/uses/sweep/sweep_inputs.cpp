@@ -121,7 +121,7 @@ std::set<std::string> named_inputs(const SceneText& given) {
 Origins origins_of(const SweepFile& sweep, const std::string& options) {
   Origins out{{"program", fmt::format("{} (commit {})", provenance("bem_contact"), commit())},
               {"options", options},
-              {"scene", sha256(text_for(sweep.text, {"sweep", "replay"}, {"replay.jobs"}))}};
+              {"scene", sha256(text_for(sweep.text, {"sweep", "passage", "replay"}, {"replay.jobs"}))}};
   for (const std::string& name : input_paths(sweep)) {
     const std::string seal = seal_of(name); // of an influence file
     const std::filesystem::path seen = std::filesystem::path(name).lexically_proximate(sweep.text.folder);

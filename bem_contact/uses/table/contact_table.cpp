@@ -60,7 +60,7 @@ AxisWeights axis_weights(std::span<const double> x, double at) {
     w[3] -= factor / k;
   }
   if (!before) // no point comes first
-    std::ranges::rotate(w, w.begin() + 1);
+    std::rotate(w.begin(), w.begin() + 1, w.end());
   return {before ? i - 1 : i, 2 + std::size_t{before} + std::size_t{after}, w};
 }
 

@@ -178,10 +178,12 @@ SceneFile first_scene(const SceneTable& described) {
 
 PointSolver scene_point_solver(const SceneTable& described) {
   struct Solver {
+    explicit Solver(const SceneText& text) : reader(text) {}
+
     SceneReader reader;
     Sequence sequence{{.displacements = false}};
   };
-  return [described, solver = std::make_shared<Solver>(SceneReader(described.text))](const Point& point) {
+  return [described, solver = std::make_shared<Solver>(described.text)](const Point& point) {
     const auto named = [&](const Error& error) {
       return fmt::format("The table has no value at {}: {}", text_of(described, point), error.what());
     };

@@ -44,8 +44,15 @@ Wrench mirrored(Wrench w) {
 
 namespace {
 
-/// The sum over the elements: each half-plane through the roller's axis is turned to where it is.
-Wrench wrench_on_roller(const SceneResult& result, Point2 centre, const Roller& roller) {
+/// A force and where it acts, both in the track's frame.
+struct PlacedForce {
+  Vector3 force, at;
+};
+
+/// The sum over the elements in contact. `placed`: of an element at (x, row), the force that it has in its
+/// section (x, y, z).
+template <class Placed>
+Wrench sum_over_elements(const SceneResult& result, Point2 centre, const Placed& placed) {
   Wrench out;
   const ContactGrid& grid = result.problem.grid;
   const double area = result.problem.element_area();
@@ -53,15 +60,45 @@ Wrench wrench_on_roller(const SceneResult& result, Point2 centre, const Roller& 
     if (!(result.result.pn[i] > 0))
       continue;
     const ContactRow& row = result.problem.rows[i / grid.mx];
-    const double x = grid.x(i % grid.mx);
     const Point2 across =
         area * (result.result.ps[i] * tangent_of(row.delta) + result.result.pn[i] * normal_of(row.delta));
-    const Vector3 force =
-        Roller::seen(Vector3{area * result.result.px[i], across.y, across.z}, -roller.angle(x, row.position));
-    const Vector3 at = roller.in_space(x, row.position);
-    out += wrench_at(force, {at[0], at[1] - centre.y, at[2] - centre.z});
+    const PlacedForce one =
+        placed(grid.x(i % grid.mx), row.position, Vector3{area * result.result.px[i], across.y, across.z});
+    out += wrench_at(one.force, {one.at[0], one.at[1] - centre.y, one.at[2] - centre.z});
   }
   return out;
+}
+
+/// Each half-plane through the roller's axis is turned to where it is.
+Wrench wrench_on_roller(const SceneResult& result, Point2 centre, const Roller& roller) {
+  return sum_over_elements(result, centre, [&](double x, Point2 at, const Vector3& force) {
+    return PlacedForce{Roller::seen(force, -roller.angle(x, at)), roller.in_space(x, at)};
+  });
+}
+
+/// What the slope of a rail adds to the forces that elements have in its frame, at the middle of the
+/// pressure.
+Wrench wrench_of_slope(const SceneResult& result, Point2 centre, const Vector3& of_elements) {
+  Vector3 middle{};
+  double pressed = 0;
+  for (const PatchSummary& p : result.result.patches) {
+    middle[0] += p.fn * p.x, middle[1] += p.fn * p.position.y, middle[2] += p.fn * p.position.z;
+    pressed += p.fn;
+  }
+  if (!(pressed > 0))
+    return {};
+  const ContactTotals& totals = result.result.totals;
+  const Vector3 whole{totals.Fx + result.motion.slope_force.value_or(0), totals.Fy, totals.Fz};
+  return wrench_at(between(of_elements, whole),
+                   {middle[0] / pressed, middle[1] / pressed - centre.y, middle[2] / pressed - centre.z});
+}
+
+/// Elements have their forces in the rail's frame.
+Wrench wrench_on_sections(const SceneResult& result, Point2 centre, const RailFrame& frame) {
+  const Wrench out = sum_over_elements(result, centre, [&](double x, Point2 at, const Vector3& force) {
+    return PlacedForce{frame.in_track(force), frame.point_in_track({x, at.y, at.z})};
+  });
+  return out + wrench_of_slope(result, centre, out.force);
 }
 
 } // namespace
@@ -69,9 +106,12 @@ Wrench wrench_on_roller(const SceneResult& result, Point2 centre, const Roller& 
 Wrench wrench_of(const SceneResult& result, Point2 centre, const std::optional<Roller>& roller) {
   if (roller)
     return wrench_on_roller(result, centre, *roller);
+  if (result.motion.frame)
+    return wrench_on_sections(result, centre, *result.motion.frame);
   const auto [fx, fy, fz, mx, my, mz] =
       force_and_moment(result.problem, result.result, result.problem.rows, centre);
-  return {{fx, fy, fz}, {mx, my, mz}};
+  const Wrench out{{fx, fy, fz}, {mx, my, mz}};
+  return result.motion.slope_force ? out + wrench_of_slope(result, centre, out.force) : out;
 }
 
 namespace {
@@ -198,7 +238,7 @@ double WheelPair::lowered(WheelSide side, double lateral, double roll) {
   WheelsetPosition position = scene.position;
   position.lateral = lateral;
   position.roll = roll;
-  WheelOnRail pair = place(position, profiles.rail, profiles.wheel);
+  WheelOnRail pair = placed_bodies(scene, profiles, position);
   const double before = pair.wheel_pose.origin.z;
   lower_to_touch(pair);
   return pair.wheel_pose.origin.z - before - larger(side);

@@ -53,6 +53,31 @@ TEST(Wheelset, CentredIsTwoSingleWheels) {
   EXPECT_NEAR(r.state.pose.rolling_radius.value(), single.motion.free_rolling.value().rolling_radius, 1e-3);
 }
 
+/// Rails of equal sections are the rail, of both wheels or of one; and a dip of both rails changes no share.
+TEST(Wheelset, OnRailsOfSections) {
+  const std::string lateral = "position.lateral = 3\nposition.along = 40\n",
+                    sections =
+                        "rail.sections = [ { at = 0, profile = '60E1' }, { at = 90, profile = '60E1' } ]\n",
+                    rest = "wheel.profile = 'S1002'\nsolver.model = 'halfspace'\nposition.rail_inclination = "
+                           "0.025\nwheelset.force = 2e5\ngrid = { dx = 0.8, ds = 0.6 }\n";
+  const WheelsetResult one = solve_wheelset(standard("position.lateral = 3\n")),
+                       both = solve_wheelset(parse_scene_file(rest + sections + lateral)),
+                       right = solve_wheelset(
+                           parse_scene_file(rest + sections + lateral + "left_rail.profile = '60E1'\n")),
+                       dip = solve_wheelset(standard("position.along = 40\nrail.joint = { at = 100, dip = 1, "
+                                                     "dip_length = 400 }\n"));
+  for (const WheelsetResult* r : {&both, &right}) {
+    EXPECT_NEAR(r->state.pose.roll, one.state.pose.roll, 1e-8);
+    EXPECT_NEAR(r->state.pose.rolling_radius.value(), one.state.pose.rolling_radius.value(), 1e-3);
+    for (const WheelSide side : both_sides)
+      for (const char* name : {"Fx", "Fy", "Fz", "pmax"})
+        EXPECT_NEAR(of_wheel(*r, side, name), of_wheel(one, side, name), 2) << name;
+  }
+  EXPECT_NEAR(dip.state.pose.roll, 0, 1e-9);
+  EXPECT_NEAR(of_wheelset(dip, "Fz"), 2e5, 1);
+  EXPECT_GT(dip.state.pose.vertical, solve_wheelset(standard("")).state.pose.vertical + 0.1);
+}
+
 /// Number by number, b is the mirror image of a.
 void expect_mirror_images(const WheelsetResult& a, const WheelsetResult& b) {
   const auto sign = [](std::string_view name) {

@@ -25,6 +25,7 @@ class Contact:
         self.rail, self.wheel = group["rail_profile"][:], group["wheel_profile"][:]
         self.state, self.pressure, self.px, self.ps = (group[name][:] for name in ("state", "p_n", "p_x", "p_s"))
         self.numbers = {name: float(data[()]) for name, data in group["quantities"].items()}
+        self.units = {name: text(data.attrs["unit"]) for name, data in group["quantities"].items()}
 
     def verdict(self):
         """Whether it is certified, and its worst violation."""

@@ -15,7 +15,7 @@ from .refusals import InputError, refuse
 FORMATS = ("result", "comparison", "sweep", "creep curves", "conicity map", "conicity", "wheelset", "table", "wear", "fatigue", "fit")
 MOST_DEFLATED = 1032  # bytes of one: deflate stores 258 bytes in 2 bits
 CHECKSUM = 4  # bytes of Fletcher's behind each chunk
-HEADS = {"FI_surf": "fatigue", "s_mm,y_mm,z_mm,inclination_rad": "profile table"}
+HEADS = {"FI_surf": "fatigue", "body,t,line,section,u": "sections table", "s_mm,y_mm,z_mm,inclination_rad": "profile table"}
 
 
 def text(value):
@@ -123,6 +123,13 @@ def is_standard(name):
     return program is not None and subprocess.run([program, "profile", "--list", "--", name], capture_output=True).returncode == 0
 
 
+def has_sections(path):
+    """Whether it is a scene whose rail or wheel is given by sections."""
+    scene = tomllib.loads(path.read_text(encoding="utf-8", errors="replace"))
+    sides = [scene.get(name) for name in ("rail", "wheel") if isinstance(scene.get(name), dict)]
+    return any("sections" in side or str(side.get("profile", "")).lower().endswith((".slcs", ".slcw")) for side in sides)
+
+
 def kind_of(name):
     """The kind of a file, a folder or a standard profile."""
     path = Path(name)
@@ -138,6 +145,8 @@ def kind_of(name):
         return "profile"
     if h5py.is_hdf5(path):
         return of_hdf5(path)
+    if path.suffix.lower() in (".slcs", ".slcw") or path.suffix == ".toml" and has_sections(path):
+        return "sections"
     if path.suffix == ".toml" and "body" not in tomllib.loads(path.read_text(encoding="utf-8", errors="replace")):
         refuse(f"'{name}' cannot be drawn", "it is a scene", f"Solve it first: bem_contact solve {name} -o {path.stem}.h5")
     if path.suffix in (".msh", ".toml"):

@@ -17,16 +17,20 @@ BEHIND = ((style.BOUND, "--"), (style.RAIL, "-."), (style.WHEEL, ":"))
 
 def read(name, options, on=None):
     """Columns s, y, z, inclination, curvature; of a standard that is laid on the unworn part of the profile `on` also the depth
-    worn off it. The program reads as a scene would; its warnings go to the terminal."""
+    worn off it."""
     if kind_of(name) == "profile table":
         return np.loadtxt(name, delimiter=",", skiprows=1, unpack=True)
+    return table_of(name, ["--on", on, *options] if on else [] if is_standard(name) else options)
+
+
+def table_of(name, options):
+    """The columns of what `bem_contact profile --csv` writes. The program reads as a scene would; its warnings go to the terminal."""
     with tempfile.TemporaryDirectory() as folder:
         csv = Path(folder) / "profile.csv"
         program = program_file()
         if program is None:
             refuse(f"'{name}' cannot be read", "the program bem_contact was not found", "Put it on the PATH, or its folder into CONFORMAL_BIN.")
-        asked = ["--on", on, *options] if on else [] if is_standard(name) else options
-        done = subprocess.run([program, "profile", name, "--csv", csv, *asked], stdout=subprocess.DEVNULL,  # its table of radii
+        done = subprocess.run([program, "profile", name, "--csv", csv, *options], stdout=subprocess.DEVNULL,  # its table of radii
                               stderr=subprocess.PIPE, text=True, errors="replace")
         if done.returncode != 0:
             raise InputError(done.stderr.strip().removeprefix("error: "))

@@ -6,17 +6,14 @@ import numpy as np
 from . import style
 from .contact import SETS, Contact, contacts_in, draw_cut, draw_history, draw_patch, draw_section, draw_stresses, patch_key, set_of
 from .kinds import text
+from .shared import VIEWS
 
-NUMBERS = (("pmax", "MPa", 1), ("area", "mm²", 1), ("Fx", "N", 1), ("Fy", "N", 1), ("Fz", "N", 1), ("Mz", "N mm", 1), ("approach", "mm", 1),
-           ("lateral", "mm", 1), ("free_rolling_xi", "‰", 1e3), ("Tmax_rail", "°C", 1), ("Tmax_wheel", "°C", 1))  # scale last
-SHARES = ("pmax", "area")  # differences of these are relative
+PER_MILLE = ("free_rolling_xi",)
+SHARES = ("MPa", "mm2")  # differences of pressures and areas are relative
 ROUNDING = 1e-6  # in the unit of a line: less is not shown
 INCOMPARABLE = ("approach",)  # of each model relative to another place
 PATCH_WIDTH, PATCH_HEIGHTS = 4.0, (1.3, 4.0)  # inches
 SIDES = ("left", "right")
-OF_WHEELSET = ("lateral", "roll", "yaw", "rolling_radius", "Fx", "Fy", "Fz", "roll_moment", "yaw_moment", "torque")
-ON_TRACK = (("share", "1"), ("Fx", "N"), ("Fy", "N"), ("Fz", "N"), ("Y_over_Q", "1"), ("radius", "mm"), ("delta", "rad"), ("pmax", "MPa"),
-            ("area", "mm²"))
 
 
 def with_error(value, error):
@@ -46,19 +43,20 @@ def write_table(axis, title, head, lines, height=0.085):
 
 def numbers_of(contacts):
     """Lines of a table, those that any model knows; of two models their difference, too."""
-    for name, unit, scale in NUMBERS:
+    for name in VIEWS["result"]["picture"]:
+        unit, scale = ("‰", 1e3) if name in PER_MILLE else (next((c.units[name] for c in contacts if name in c.units), ""), 1)
         values, errors = ([c.numbers.get(column, np.nan) * scale for c in contacts] for column in (name, f"{name}_error"))
         if np.isfinite(values).any():
             yield [style.titled(name, unit), *map(with_error, values, errors),
-                   *([difference(name, values, errors)] if len(contacts) == 2 else [])]
+                   *([difference(name, unit, values, errors)] if len(contacts) == 2 else [])]
 
 
-def difference(name, values, errors):
+def difference(name, unit, values, errors):
     """The second less the first: of pressures and areas relative to the first, else in the unit of the line."""
     change, digits = values[1] - values[0], digits_of(np.fmax(*errors))
     if name in INCOMPARABLE or not np.isfinite(change):
         return "–"
-    if name in SHARES and values[0]:
+    if unit in SHARES and values[0]:
         return f"{100 * change / values[0]:+.2f} %"
     if digits is not None:
         change = round(change, digits)
@@ -165,6 +163,15 @@ def in_table(value, unit):
     return f"{value:.4g} ({np.degrees(value):.3g}°)" if unit == "rad" else f"{value:.6g}"
 
 
+def lines_of(view, groups):
+    """The numbers of a view that any of these groups knows."""
+    for name in VIEWS[view]["picture"]:
+        numbers = [group[name] for group in groups if name in group]
+        if np.isfinite([number[()] for number in numbers]).any():
+            unit = text(numbers[0].attrs["unit"])
+            yield [style.titled(name, unit), *(in_table(number[()], unit) for number in numbers)]
+
+
 def draw_wheelset(files):
     """The left wheel on the left: both patches in the frame of their side, and a table in the track frame."""
     with h5py.File(files[0]) as file:
@@ -175,10 +182,7 @@ def draw_wheelset(files):
         for axis, contact in zip(axes[1], contacts):
             draw_section(axis, [contact])
         axes[1, 0].invert_xaxis()  # y to the left: the field side is on the left
-        write_table(axes[2, 0], "Each wheel, y to the right", SIDES, [
-            [style.titled(name, unit), *(in_table(file[side]["track"][name][()], unit) for side in SIDES)]
-            for name, unit in ON_TRACK], 0.11)
-        write_table(axes[2, 1], "The wheelset", ["value"], [
-            [style.titled(name, text(data.attrs["unit"])), in_table(data[()], text(data.attrs["unit"]))]
-            for name, data in file["wheelset"].items() if name in OF_WHEELSET and np.isfinite(data[()])], 0.11)
+        write_table(axes[2, 0], "Each wheel, y to the right", SIDES,
+                    lines_of("wheel of a wheelset", [file[side]["track"] for side in SIDES]), 0.11)
+        write_table(axes[2, 1], "The wheelset", ["value"], lines_of("wheelset", [file["wheelset"]]), 0.11)
         return figure

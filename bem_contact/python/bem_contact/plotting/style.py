@@ -23,7 +23,7 @@ PRESSURE = LinearSegmentedColormap.from_list("pressure", ["#eef4fb", DEEPEST_PRE
 STRESS = LinearSegmentedColormap.from_list("stress", ["#ffffff", "#4a4a4a"])
 BODIES = {"rail": (RAIL, "-", "o"), "wheel": (WHEEL, "--", "s")}  # colour, line, mark
 FORCES = {"Fx": (ALONG_X, "-", "o"), "Fs": (ALONG_S, "--", "s"), "Fy": (ALONG_S, "--", "s"), "Fz": (INK, ":", "D"),
-          "Mz": (INK, "-.", "d")}
+          "Mz": (INK, "-.", "d"), "pmax": (DEEPEST_PRESSURE, "-", "o")}
 
 class Models(dict):
     """Title, short title and line of each model. A model that is not here has its name in scenes."""
@@ -65,6 +65,11 @@ def words(name):
     """ "largest pressure" of "pmax"."""
     return WORDS.get(name, name)
 
+def heading(names):
+    """ "Largest pressure" of a panel."""
+    text = " and ".join(map(words, names))
+    return text[0].upper() + text[1:]
+
 def titled(name, unit):
     """ "largest pressure, MPa"; a number without a unit has its name alone. A panel of an angle has degrees_beside(), too."""
     return words(name) if unit in ("", "1") else f"{words(name)}, {unit}".replace("mm2", "mm²").replace("degC", "°C")
@@ -81,6 +86,10 @@ def degrees_beside(axis, x="", y=""):
         axis.secondary_xaxis("top", **both).set_xlabel("degrees")
     if y == "rad":
         axis.secondary_yaxis("right", **both).set_ylabel("degrees")
+
+def look(name):
+    """Colour, line and mark of a number."""
+    return FORCES.get(name, (INK, "-", "o"))
 
 def line(style, **more):
     """Options of plot() for a colour, a line and a mark."""

@@ -42,12 +42,12 @@ def draw_column(axis, file, axes, column):
         if second is not None:
             at[second] = k
         label = "" if second is None else at_point(file, axes[second], k)
-        colour = style.FORCES.get(column, (style.DEEPEST_PRESSURE if column == "pmax" else style.INK,))[0]
+        colour = style.look(column)[0]
         axis.plot(grid[:], values[tuple(at)], dash, marker=mark, markersize=4, color=colour, linewidth=1.3, label=label)
     others = ", ".join(at_point(file, name, at[k]) for k, name in enumerate(axes) if k not in (first, second))
     unit = text(file[f"values/{column}"].attrs["unit"])
     axis.set(xlabel=style.titled(axes[first], text(grid.attrs["unit"])) + (f"\n(at {others})" if others else ""),
-             ylabel=style.titled(column, unit), title=style.words(column).capitalize() if column not in style.FORCES else column)
+             ylabel=style.titled(column, unit), title=style.heading([column]))
     style.degrees_beside(axis, text(grid.attrs["unit"]))
     style.legend(axis, fontsize=8)
 
@@ -63,7 +63,7 @@ def draw_nested(axis, file, axes, column):
     outer, second, *between, last = axes
     start = len(file[f"axes/{outer}"]) // 2
     nodes = below(file, second, start)
-    values, colour = file[f"values/{column}"], style.FORCES.get(column, (style.INK,))[0]
+    values, colour = file[f"values/{column}"], style.look(column)[0]
     for k, dash, mark in zip(sorted({round(k) for k in np.linspace(1, len(nodes) - 1, LINES)}), ("-", "--", "-.", ":"), ("o", "s", "D", "^")):
         label, node = f"{second} {file[f'axes/{second}'][nodes[k]]:.4g}", nodes[k]
         for name in between:
