@@ -57,6 +57,16 @@ bool all_there(const StressKernel& kernel, const Neighbours& places, const Neigh
 
 } // namespace
 
+ContactRow surface_at(const StressKernel& kernel, double s) {
+  const double step = kernel.places[1].s - kernel.places[0].s, at = (s - kernel.places[0].s) / step;
+  const auto last = static_cast<double>(kernel.places.size() - 2);
+  const auto i = static_cast<std::size_t>(std::clamp(std::floor(at), 0.0, last));
+  const ContactRow &a = kernel.places[i], &b = kernel.places[i + 1];
+  const double part = at - static_cast<double>(i);
+  return {s, a.position + part * (b.position - a.position),
+          a.delta + std::clamp(part, 0.0, 1.0) * (b.delta - a.delta)};
+}
+
 KernelPoint::KernelPoint(const StressKernel& kernel, std::span<const double> s,
                          std::span<const double> log_depths, const BelowSurface& at) {
   const double close = beyond_last * (s.back() - s.front());
@@ -236,7 +246,7 @@ ProbedRemainder KernelSums::at(std::span<const BelowSurface> points, std::span<c
   double rho = 0;
   for (const BelowSurface& p : points) {
     at.emplace_back(kernel_, s, log_depths, p);
-    rho += WaveLoads::rho_of(strip_, strip_.nearest_station(p.s)) / static_cast<double>(points.size());
+    rho += WaveLoads::rho_of(strip_, surface_at(kernel_, p.s)) / static_cast<double>(points.size());
   }
   ProbedRemainder out{sums(kernel_.remainder, at, x, rho), std::vector<double>(points.size(), 0)};
   if (kernel_.error.wavenumber.empty())

@@ -10,6 +10,10 @@
 
 namespace bem_contact::inside {
 
+/// The surface there: between two places as on a line, beside the first and the last as if the profile went
+/// on straight.
+ContactRow surface_at(const StressKernel& kernel, double s);
+
 /// A point between places and depths of a stress kernel: Lagrange's weights of up to four of each. No
 /// weights: the kernel has nothing there.
 struct KernelPoint {

@@ -9,24 +9,12 @@
 #include "bem_contact/inside/remainder.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <utility>
 
 namespace bem_contact::inside {
 
 namespace {
-
-/// Between two places as on a line; beside the first and the last as if the profile went on straight.
-ContactRow surface_at(const StressKernel& kernel, double s) {
-  const double step = kernel.places[1].s - kernel.places[0].s, at = (s - kernel.places[0].s) / step;
-  const auto last = static_cast<double>(kernel.places.size() - 2);
-  const auto i = static_cast<std::size_t>(std::clamp(std::floor(at), 0.0, last));
-  const ContactRow &a = kernel.places[i], &b = kernel.places[i + 1];
-  const double part = at - static_cast<double>(i);
-  return {s, a.position + part * (b.position - a.position),
-          a.delta + std::clamp(part, 0.0, 1.0) * (b.delta - a.delta)};
-}
 
 double mean_curvature(const StressKernel& kernel, const std::vector<BelowSurface>& points) {
   const auto [first, last] = std::ranges::minmax(points, {}, &BelowSurface::s);

@@ -13,8 +13,8 @@ namespace bem_contact::fem {
 
 namespace {
 
-/// 1. Random combinations that are tried first; if they are too few, twice as many. Chosen.
-constexpr Eigen::Index first_tries = 24;
+/// 1 (of the tolerance). What the random combinations may miss; the rest is for what is left out after them.
+constexpr double missed_by_combinations = 0.7;
 
 /// Between -1 and 1, the same on each machine.
 Eigen::MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns) {
@@ -30,13 +30,12 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& matrix) {
   return qr.householderQ() * Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols());
 }
 
-} // namespace
-
-LowRank low_rank(const Eigen::MatrixXd& matrix, double tolerance) {
+/// Left orthonormal, right whatever it is.
+LowRank by_combinations(const Eigen::MatrixXd& matrix, double tolerance, Eigen::Index tries) {
   const double all = matrix.squaredNorm();
   const Eigen::Index most = std::min(matrix.rows(), matrix.cols());
   LowRank out;
-  for (Eigen::Index tries = std::min(first_tries, most);; tries = std::min(2 * tries, most)) {
+  for (tries = std::min(tries, most);; tries = std::min(2 * tries, most)) {
     if (tries == matrix.cols()) {
       out.left = orthonormal(matrix);
     } else {
@@ -51,8 +50,10 @@ LowRank low_rank(const Eigen::MatrixXd& matrix, double tolerance) {
   }
 }
 
-Eigen::MatrixXd range_of(const Eigen::MatrixXd& matrix, double tolerance) {
-  const LowRank form = low_rank(matrix, 0.7 * tolerance);
+} // namespace
+
+LowRank low_rank(const Eigen::MatrixXd& matrix, double tolerance, Eigen::Index tries) {
+  const LowRank form = by_combinations(matrix, missed_by_combinations * tolerance, tries);
   Eigen::MatrixXd gram(form.right.cols(), form.right.cols());
   dense_product_of_columns(form.right, form.right, gram.data());
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> singular(gram); // squares, ascending
@@ -66,8 +67,9 @@ Eigen::MatrixXd range_of(const Eigen::MatrixXd& matrix, double tolerance) {
   }
   const Eigen::MatrixXd vectors =
       singular.eigenvectors().rightCols(gram.rows() - dropped).rowwise().reverse();
-  Eigen::MatrixXd out(matrix.rows(), vectors.cols());
-  dense_product(form.left, vectors, out.data());
+  LowRank out{Eigen::MatrixXd(matrix.rows(), vectors.cols()), Eigen::MatrixXd(matrix.cols(), vectors.cols())};
+  dense_product(form.left, vectors, out.left.data());
+  dense_product(form.right, vectors, out.right.data());
   return out;
 }
 

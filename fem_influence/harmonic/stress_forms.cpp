@@ -8,10 +8,23 @@
 
 namespace bem_contact::fem {
 
+namespace {
+
+/// 1. Columns with which the search for a range begins at the deepest points; at the others with a quarter
+/// more than were needed below them, and these. Chosen.
+constexpr Eigen::Index fewest_tries = 12;
+
+} // namespace
+
 std::vector<double> few_columns(const DepthMatrices& matrices, double tolerance) {
+  std::vector<LowRank> forms(matrices.size());
+  Eigen::Index tries = fewest_tries;
+  for (std::size_t d = matrices.size(); d-- > 0;) { // the nearer to the surface the more columns
+    forms[d] = low_rank(matrices[d], tolerance, tries);
+    tries = fewest_tries + 5 * forms[d].left.cols() / 4;
+  }
   std::vector<double> out{static_cast<double>(matrices.size())};
-  for (const Eigen::MatrixXd& matrix : matrices) {
-    const LowRank form = low_rank(matrix, tolerance);
+  for (const LowRank& form : forms) {
     out.push_back(static_cast<double>(form.left.cols()));
     out.insert(out.end(), form.left.data(), form.left.data() + form.left.size());
     out.insert(out.end(), form.right.data(), form.right.data() + form.right.size());
@@ -78,13 +91,13 @@ StressForm common_columns(std::vector<double> wavenumbers, const std::vector<Few
     std::vector<Eigen::MatrixXd> parts;
     for (const FewColumns& one : each)
       parts.push_back(one.right[d]);
-    const Eigen::MatrixXd from = range_of(joined(parts), of_all);
+    const Eigen::MatrixXd from = low_rank(joined(parts), of_all).left;
     for (std::size_t k = 0; k < waves; ++k) {
       const Eigen::MatrixXd felt = product(each[k].right[d], from);
       parts[k].resize(each[k].left[d].rows(), from.cols());
       dense_product(each[k].left[d], felt, parts[k].data());
     }
-    const Eigen::MatrixXd to = range_of(joined(parts), of_all);
+    const Eigen::MatrixXd to = low_rank(joined(parts), of_all).left;
     out.left_rank.push_back(static_cast<int>(to.cols()));
     out.right_rank.push_back(static_cast<int>(from.cols()));
     for (const double value : to.reshaped())

@@ -59,23 +59,25 @@ public:
                      .there = std::move(there),
                      .remainder = {},
                      .error = {}};
-    std::vector<double> waves, error_waves;
-    std::vector<FewColumns> remainder, error;
-    for (const auto& [k, numbers] : done_) {
-      std::span<const double> rest = numbers;
-      waves.push_back(plan_.wavenumber[k]);
-      remainder.push_back(take(rest));
-      if (plan_.has_error[k]) {
-        error_waves.push_back(plan_.wavenumber[k]);
-        error.push_back(take(rest));
-      }
-    }
-    out.remainder = common_columns(std::move(waves), remainder, settings::stress_tolerance);
-    out.error = common_columns(std::move(error_waves), error, settings::stress_error_tolerance);
+    out.remainder = form(false, settings::stress_tolerance);
+    out.error = form(true, settings::stress_error_tolerance);
     return out;
   }
 
 private:
+  StressForm form(bool of_error, double tolerance) const {
+    std::vector<double> waves;
+    std::vector<FewColumns> each;
+    for (const auto& [k, numbers] : done_) {
+      if (of_error && !plan_.has_error[k])
+        continue;
+      std::span<const double> rest = numbers;
+      FewColumns columns = take(rest);
+      each.push_back(of_error ? take(rest) : std::move(columns));
+      waves.push_back(plan_.wavenumber[k]);
+    }
+    return common_columns(std::move(waves), each, tolerance);
+  }
   FewColumns take(std::span<const double>& numbers) const {
     return take_few_columns(numbers, 6 * plan_.places.size(), 3 * plan_.stations.size());
   }

@@ -63,11 +63,13 @@ StressPlan plan_stresses(const BodyFile& body, const ProfileCurve& curve) {
   out.depths = graded_depths(least, body.stress.deepest, body.stress.depths);
   // The last wavenumber is that which an element of this length would need.
   const double shortest_dx = 10 / (inside::largest_wavenumber_times_depth / least);
-  out.wavenumber = wavenumber_samples(half_period_of(body), shortest_dx, body.harmonic.samples_per_decade);
+  const double samples = settings::stress_samples * body.harmonic.samples_per_decade;
+  out.wavenumber =
+      wavenumber_samples(half_period_of(body), shortest_dx, static_cast<int>(std::ceil(samples)));
   out.has_error.assign(out.wavenumber.size(), 0);
   if (body.harmonic.degree > 1)
-    for (const std::size_t k : companion_samples(out.wavenumber.size()))
-      out.has_error[k] = 1;
+    for (std::size_t k = 0; k < out.wavenumber.size(); ++k)
+      out.has_error[k] = k <= 1 || k % settings::stress_error_every == 0 || k + 1 == out.wavenumber.size();
   return out;
 }
 
