@@ -98,13 +98,13 @@ SurfaceTractions contact(double s) {
 
 constexpr double ring_radius = 12;
 
-/// A thick ring of 96 edges, held on its other side; the strip is a quarter of it, about its middle.
+/// A thick ring of 64 edges, held on its other side; the strip is a quarter of it, about its middle.
 void mesh_ring(TwoWays& ways, bool hole) {
-  constexpr int around = 96;
+  constexpr int around = 64;
   write_ring_mesh(ways.mesh, ring_radius, (hole ? 3.5 : 0.3) * ring_radius, around);
   const double width = 2 * std::numbers::pi * ring_radius / around,
                middle = 0.5 * (ways.curve.s_begin() + ways.curve.s_end());
-  ways.body.strip = {middle - 12 * width, middle + 12 * width, width};
+  ways.body.strip = {middle - 8 * width, middle + 8 * width, width};
 }
 
 double middle_of(const TwoWays& ways) {
