@@ -53,7 +53,7 @@ struct TwoWays {
   }
 
   /// Largest difference over the largest von Mises stress, at the kernel's own points; and at points between
-  /// and above them what the stated error does not cover. There part 1 itself feels the mesh.
+  /// and above them, where either feels the mesh, what their stated errors do not cover.
   void expect_equal(const SurfaceTractions& load, double bar) const {
     const StressKernel found = kernel();
     std::vector<BelowSurface> own;
@@ -79,15 +79,13 @@ struct TwoWays {
           ++both;
           const double off = von_mises(inside::difference(area.body[i][j], right.body[i][j]));
           worst = std::max(worst, off);
-          beyond = std::max(beyond, off - area.error[i]);
+          beyond = std::max(beyond, off - area.error[i] - right.error[i]);
           largest = std::max(largest, von_mises(right.body[i][j]));
           rest = std::max(rest, von_mises(inside::difference(right.body[i][j], right.flat[i][j])));
         }
       EXPECT_GT(both, area.points.size() * area.x.size() / 2);
       EXPECT_GT(rest, 5 * bar * largest) << "this test would say nothing";
-      if (at_own)
-        EXPECT_LT(worst, bar * largest);
-      EXPECT_LT(beyond, bar * largest) << worst;
+      EXPECT_LT(at_own ? worst : beyond, bar * largest) << worst << " below " << largest;
     }
   }
 };
@@ -130,15 +128,17 @@ TEST(StressKernel, OfABladeIsOneSolutionForEachWavenumber) {
   ways.expect_equal(contact(0.2), 0.004);
 }
 
-/// Of revolution: lengths and loads are those of the radius of each station.
+/// Of revolution, as large as a wheel: lengths and loads are those of the radius of each station. The
+/// half-space is subtracted at the angle and added at the length, whose ratio differs between stations: that
+/// is what 0.006 is for.
 TEST(StressKernel, OfARingIsOneSolutionForEachWavenumber) {
   TwoWays ways(full_circle(ring_radius, false));
   mesh_ring(ways, false);
   ways.body.body.kind = BodyKind::outline;
-  ways.body.body.reference_radius = 60;
+  ways.body.body.reference_radius = 460;
   ways.body.body.outline = {{.to = {ring_radius, 0}, .radius = ring_radius, .group = PieceGroup::contact},
                             {.to = {-ring_radius, 0}, .radius = ring_radius, .group = PieceGroup::held}};
-  ways.expect_equal(contact(middle_of(ways)), 0.004);
+  ways.expect_equal(contact(middle_of(ways)), 0.006);
 }
 
 } // namespace
