@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -18,7 +19,9 @@ struct EndOfWork {
 /// when this process ends. On Windows, which cannot copy a process, workers are threads.
 class Workers {
 public:
-  Workers();
+  /// `temporary`: where children make their temporary folders. They may be killed, and whoever made this one
+  /// removes what they leave. "": where this process makes its own, if they make any.
+  explicit Workers(std::filesystem::path temporary = {});
   ~Workers(); ///< ends those that are left; threads are waited for
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
@@ -30,6 +33,7 @@ public:
   EndOfWork wait();
 
 private:
+  std::filesystem::path temporary_;
   struct Started;
   std::unique_ptr<Started> started_;
 };

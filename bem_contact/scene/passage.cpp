@@ -50,6 +50,8 @@ public:
             "Give a path whose places all rise or all fall.");
   }
 
+  double begins() const { return falls_ ? at_.back() : at_.front(); } ///< mm
+  double ends() const { return falls_ ? at_.front() : at_.back(); }
   std::vector<SchemaValue> own_places() const {
     std::vector<SchemaValue> out(at_.begin(), at_.end());
     if (falls_)
@@ -128,13 +130,20 @@ std::map<std::string, std::string> renamed_columns(const toml::table& passage, c
   return out;
 }
 
-/// from, to, step or count; none where none of them is given.
-std::vector<SchemaValue> given_places(const toml::table& passage, const std::string& where) {
+/// from, to, step or count; none where none of them is given. A path is run from end to end.
+std::vector<SchemaValue> given_places(const toml::table& passage, const std::optional<Path>& path,
+                                      const std::string& where) {
   toml::table ends;
   for (const char* key : {"from", "to", "step", "count"})
     if (const toml::node* value = passage.get(key))
       ends.insert(key, *value);
-  return ends.empty() ? std::vector<SchemaValue>() : values_of_range(ends, "passage", where);
+  if (ends.empty())
+    return {};
+  if (path && !ends.contains("from") && !ends.contains("to")) {
+    ends.insert("from", path->begins());
+    ends.insert("to", path->ends());
+  }
+  return values_of_range(ends, "passage", where);
 }
 
 } // namespace
@@ -158,7 +167,7 @@ std::vector<SweepFile::Axis> axes_of_passage(const toml::node& node, int line, S
     throw InputError(where + "passage.columns is given without a path", "it says what columns of a path are",
                      "Give passage.path, or leave it out.");
   }
-  std::vector<SchemaValue> places = given_places(passage, where);
+  std::vector<SchemaValue> places = given_places(passage, path, where);
   if (places.empty() && !path)
     throw InputError(where + "the passage has neither places nor a path", "there is nothing to solve",
                      "Give from, to and step in mm along the track.");

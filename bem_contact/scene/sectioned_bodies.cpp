@@ -6,8 +6,11 @@
 #include "bem_contact/profile/sections/wheel_surface.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace bem_contact {
@@ -16,6 +19,13 @@ namespace {
 
 /// mm. A body with one section reaches so far along the track: farther than any wheel of a scene.
 constexpr double endless = 1e8;
+/// 1. What is steeper, 60 degrees, is a side of a body and no part of its top: a blade lies against it.
+/// Chosen.
+constexpr double steepest_top = 1.7;
+/// mm. Surfaces that lie closer are in one place: a wheel that touches one touches the other. Chosen.
+constexpr double same_height = 0.5;
+/// mm. Two bodies that have less in common touch or cross each other. Chosen.
+constexpr double most_common_width = 2;
 
 struct NamedBody {
   std::string name;
@@ -84,6 +94,58 @@ SectionedSurface surface_of(SlicedBody body, ProfileKind kind) {
              : SectionedSurface(std::move(body.sections), {.approximated = body.approximated});
 }
 
+/// What of a body looks up, across the track: z over y, mm.
+std::map<double, double> top_of(const SectionedSurface& surface, double u) {
+  std::map<double, double> out;
+  for (const double t : surface.nodes())
+    if (surface.has(u, t))
+      if (const SectionedSurface::Point p = surface.at(u, t);
+          std::abs(p.by_t.z) < steepest_top * std::abs(p.by_t.y))
+        out[p.position.y] = p.position.z;
+  return out;
+}
+
+/// NaN beside it.
+double height_at(const std::map<double, double>& top, double y) {
+  const auto after = top.lower_bound(y);
+  if (after == top.begin() || after == top.end())
+    return std::numeric_limits<double>::quiet_NaN();
+  const auto before = std::prev(after);
+  return std::lerp(before->second, after->second, (y - before->first) / (after->first - before->first));
+}
+
+/// mm. How wide the top of one lies in the other's.
+double common_width(const std::map<double, double>& one, const std::map<double, double>& other) {
+  double out = 0;
+  for (auto point = one.begin(); !one.empty() && std::next(point) != one.end(); ++point) {
+    const auto next = std::next(point);
+    const double y = (point->first + next->first) / 2, z = (point->second + next->second) / 2;
+    if (std::abs(height_at(other, y) - z) < same_height)
+      out += next->first - point->first;
+  }
+  return out;
+}
+
+/// Refuses two that are in one place: a wheel would be borne twice there.
+void require_beside_each_other(const SectionedBodies& bodies, std::size_t a, std::size_t b) {
+  const SectionedSurface &one = *bodies.surfaces[a], &other = *bodies.surfaces[b];
+  std::vector<double> places = one.places();
+  places.insert(places.end(), other.places().begin(), other.places().end());
+  for (const double u : places) {
+    if (u < std::max(one.from(), other.from()) || u > std::min(one.to(), other.to()))
+      continue;
+    const double width = common_width(top_of(one, u), top_of(other, u));
+    if (width > most_common_width)
+      throw InputError(
+          fmt::format("Bodies '{}' and '{}' of the rail lie one upon the other", bodies.names[a],
+                      bodies.names[b]),
+          fmt::format("at {:g} mm along the track {:.1f} mm of their width are in one place, and "
+                      "a wheel would be borne twice there",
+                      u, width),
+          "Give sections that stand beside each other, cut where the other body covers them.");
+  }
+}
+
 } // namespace
 
 SectionedBodies sectioned_bodies(const SceneFile& scene, ProfileKind kind) {
@@ -99,6 +161,8 @@ SectionedBodies sectioned_bodies(const SceneFile& scene, ProfileKind kind) {
         throw;
       throw InputError(fmt::format("Body '{}' of the rail: {}", one.name, error.what()));
     }
+    for (std::size_t before = 0; before + 1 < out.surfaces.size(); ++before)
+      require_beside_each_other(out, before, out.surfaces.size() - 1);
   }
   return out;
 }

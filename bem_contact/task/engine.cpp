@@ -73,7 +73,7 @@ Engine in_children(int jobs) {
   return [jobs](const Portions& all) {
     const TemporaryFolder folder;
     const auto file = [&](std::size_t portion) { return folder / fmt::format("{}", portion); };
-    Workers children;
+    Workers children(folder.path());
     for (std::size_t next = 0; next < all.asked.size() || children.size() > 0;) {
       if (next < all.asked.size() && children.size() < processes_of(jobs)) {
         children.start(next, [&, next] { return answer_in_child(all, next, file(next)); });

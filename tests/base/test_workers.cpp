@@ -47,6 +47,19 @@ TEST(Workers, HaveNothingOpenOfTheirParents) {
   EXPECT_EQ(workers.wait().code, 1);
 }
 
+/// A child that is killed leaves its folder behind, and its parent's goes with all that is in it.
+TEST(Workers, MakeTheirTemporaryFoldersWhereTheyAreTold) {
+  const TemporaryFolder folder;
+  Workers workers(folder.path());
+  workers.start(1, [] {
+    const TemporaryFolder own;
+    return std::raise(SIGKILL);
+  });
+  EXPECT_EQ(workers.wait().code, -1);
+  const auto left = std::filesystem::directory_iterator(folder.path());
+  EXPECT_EQ(std::distance(begin(left), end(left)), 1);
+}
+
 TEST(Workers, EndWhenNobodyWaits) {
   const TemporaryFolder folder;
   {

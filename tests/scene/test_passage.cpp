@@ -50,6 +50,10 @@ TEST(Passage, FollowsAPath) {
   ASSERT_EQ(own.size(), 3u);
   EXPECT_EQ(own.scene(0).position.uneven.along, 20);
   EXPECT_EQ(own.scene(1).position.lateral, 3);
+  const SweepFile whole = passage_of(columns + "count = 5\n", "s,y\n20,3.5\n7,3\n0,1\n");
+  ASSERT_EQ(whole.size(), 5u);
+  EXPECT_EQ(whole.scene(1).position.uneven.along, 15);
+  EXPECT_EQ(passage_of(columns + "step = 10\n", "s,y\n0,1\n25,3\n").size(), 3u);
 }
 
 TEST(Passage, OfSeveralWheelsIsAProduct) {

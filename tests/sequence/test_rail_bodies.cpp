@@ -138,6 +138,12 @@ TEST(RailBodies, SayWhatIsWrong) {
                           "'x' }, { at = 0, profile = '60E1', body = 'x' } ]\n");
               }),
               AllOf(HasSubstr("Body 'x' of the rail"), HasSubstr("out of order")));
+  EXPECT_THAT(message_of([&] {
+                on_bodies(folder.path(),
+                          "load.force = 1e4\nrail.sections = [ { at = 0, profile = '60E1', body = "
+                          "'x' }, { at = 0, profile = '60E1', body = 'y' } ]\n");
+              }),
+              AllOf(HasSubstr("Bodies 'x' and 'y' of the rail"), HasSubstr("lie one upon the other")));
 }
 
 } // namespace

@@ -84,10 +84,9 @@ AskedSweep asked_sweep(const SweepRequest& request, SweepFile sweep) {
 
 void say_what_is_kept(const SweepFile& sweep) {
   if (!sweep.fields && !sweep.keeps_fields())
-    messages()->info(
-        "of {} cases only the totals are kept: fields = true in [sweep] keeps the fields, some 0.2 MB "
-        "a case",
-        sweep.size());
+    say_info("of {} cases only the totals are kept: fields = true in [sweep] keeps the fields, some 0.2 MB "
+             "a case",
+             sweep.size());
 }
 
 ExitCode say_what_was_found(const AskedSweep& asked, const SweepRequest& request, const std::string& head) {

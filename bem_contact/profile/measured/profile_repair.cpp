@@ -98,7 +98,7 @@ void mend_units(std::vector<Point2>& points, const std::string& source, ProfileU
   const bool metres = unit == ProfileUnit::found && width >= narrowest_in_metres && width <= widest_in_metres;
   const double factor = metres ? 1000 : millimetres(unit);
   if (metres)
-    messages()->warn("{}: {:.4g} wide: taken as metres", source, width);
+    say_warning("{}: {:.4g} wide: taken as metres", source, width);
   if (factor != 1)
     for (Point2& p : points)
       p = factor * p;
@@ -127,8 +127,8 @@ void drop_crowded(std::vector<Point2>& points, const std::string& source) {
   if (norm(points.back() - kept.back()) > 0 && kept.size() > 1)
     kept.back() = points.back();
   if (const std::size_t dropped = points.size() - kept.size(); dropped > 0)
-    messages()->info("{}: {} doubled or crowded {} dropped (nearer than {} mm)", source, dropped,
-                     points_text(dropped), crowded);
+    say_info("{}: {} doubled or crowded {} dropped (nearer than {} mm)", source, dropped,
+             points_text(dropped), crowded);
   points = std::move(kept);
 }
 
@@ -159,9 +159,8 @@ bool drop_stray(std::vector<Point2>& points, const std::string& source) {
   std::string places;
   for (std::size_t i = 0; i < std::min(stray.size(), most_named_outliers); ++i)
     places += fmt::format("{}y = {:.4g}, z = {:.4g}", i > 0 ? "; " : "", stray[i].y, stray[i].z);
-  messages()->warn("{}: {} {} dropped where the profile zig-zags, at {}{} mm of the file", source,
-                   stray.size(), points_text(stray.size()), places,
-                   stray.size() > most_named_outliers ? "; ..." : "");
+  say_warning("{}: {} {} dropped where the profile zig-zags, at {}{} mm of the file", source, stray.size(),
+              points_text(stray.size()), places, stray.size() > most_named_outliers ? "; ..." : "");
   points = std::move(mended);
   return true;
 }
@@ -173,7 +172,7 @@ void mend_order(std::vector<Point2>& points, const std::string& source) {
   std::vector<Point2> sorted = points;
   std::ranges::stable_sort(sorted, {}, &Point2::y);
   if (!first_zig_zag(sorted) && path_length(points) > shuffled_walk * path_length(sorted)) {
-    messages()->warn("{}: the points are out of order: sorted by y", source);
+    say_warning("{}: the points are out of order: sorted by y", source);
     points = std::move(sorted);
     return;
   }
@@ -215,8 +214,8 @@ void mend_loops(std::vector<Point2>& points, const std::string& source) {
         throw InputError(fmt::format("{}: the profile crosses itself at y = {:.4g}, z = {:.4g}", source,
                                      where->y, where->z),
                          fmt::format("the loop is {:.3g} mm long", length), "Remove the points of the loop.");
-      messages()->warn("{}: a loop of {:.3g} mm cut off at y = {:.4g}, z = {:.4g}", source, length, where->y,
-                       where->z);
+      say_warning("{}: a loop of {:.3g} mm cut off at y = {:.4g}, z = {:.4g}", source, length, where->y,
+                  where->z);
       points.erase(points.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                    points.begin() + static_cast<std::ptrdiff_t>(j) + 1);
       points.insert(points.begin() + static_cast<std::ptrdiff_t>(i) + 1, *where);
@@ -237,7 +236,7 @@ void report_holes(const std::vector<Point2>& p, const std::string& source) {
   for (std::size_t i = 1; i + 2 < p.size(); ++i) {
     const double turned = std::abs(turn(i - 1, i + 1));
     if (length[i] > std::max(hole_length * usual, least_hole) && turned > hole_turn)
-      messages()->warn(
+      say_warning(
           "{}: no points for {:.3g} mm from y = {:.4g} to y = {:.4g}, over which the profile turns by "
           "{:.2g} degrees: its shape there is a guess",
           source, length[i], p[i].y, p[i + 1].y, turned);
@@ -246,8 +245,8 @@ void report_holes(const std::vector<Point2>& p, const std::string& source) {
       first = i;
   }
   if (jumps > 0)
-    messages()->warn("{}: the profile jumps {} by {:.2g} mm at y = {:.4g}", source,
-                     jumps == 1 ? "once," : fmt::format("{} times, first", jumps), length[first], p[first].y);
+    say_warning("{}: the profile jumps {} by {:.2g} mm at y = {:.4g}", source,
+                jumps == 1 ? "once," : fmt::format("{} times, first", jumps), length[first], p[first].y);
 }
 
 } // namespace

@@ -9,9 +9,11 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fmt/format.h>
 #include <map>
+#include <utility>
 
 namespace bem_contact {
 
@@ -23,17 +25,21 @@ namespace {
 
 /// All that a child process does. tools/checks/nothing_worse knows it by this name: callgrind gives a process
 /// what its parent had done before, and counts anew from here on.
-[[noreturn]] [[gnu::noinline]] void do_in_child_process(pid_t parent, const std::function<int()>& work) {
+[[noreturn]] [[gnu::noinline]] void do_in_child_process(pid_t parent, const std::filesystem::path& temporary,
+                                                        const std::function<int()>& work) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent)
     _exit(1);
   system::close_others(system::CloseOthers::now); // above all the lock, which must end with its owner
+  if (!temporary.empty())
+    setenv("TMPDIR", temporary.c_str(), 1);
   _exit(work());
 }
 
 } // namespace
 
-Workers::Workers() : started_(std::make_unique<Started>()) {}
+Workers::Workers(std::filesystem::path temporary)
+    : temporary_(std::move(temporary)), started_(std::make_unique<Started>()) {}
 
 Workers::~Workers() {
   for (const auto& [process, number] : started_->numbers)
@@ -53,7 +59,7 @@ void Workers::start(std::size_t number, const std::function<int()>& work) {
     throw Error("No process to solve cases can be started", std::strerror(errno),
                 "Give a smaller --jobs, or end other programs.");
   if (process == 0)
-    do_in_child_process(parent, work);
+    do_in_child_process(parent, temporary_, work);
   started_->numbers[process] = number;
 }
 

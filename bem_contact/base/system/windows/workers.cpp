@@ -8,6 +8,7 @@
 #include <mutex>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace bem_contact {
@@ -19,7 +20,8 @@ struct Workers::Started {
   std::map<std::size_t, std::jthread> threads; ///< by number; they end before what they use
 };
 
-Workers::Workers() : started_(std::make_unique<Started>()) {}
+Workers::Workers(std::filesystem::path temporary)
+    : temporary_(std::move(temporary)), started_(std::make_unique<Started>()) {}
 
 Workers::~Workers() = default;
 
