@@ -96,9 +96,11 @@ class BodyStresses(unittest.TestCase):
         self.call_ok(f / "kernel.toml", "-o", f / "kernel.msh", program="mesh_body")
         self.call_ok(f / "kernel.toml", f / "kernel.msh", "-o", f / "kernel.h5", program="fem_influence")
         self.assertFalse(list(f.glob("kernel.h5.*")))  # partial files are gone
-        solved, kept = (self.patches("stresses", f / "result.h5", "--body", f / body)[0] for body in ("block.toml", "kernel.h5"))
-        for name in ("von_mises", "largest_shear"):
-            self.assertAlmostEqual(kept[name] / solved[name], 1, delta=0.003)
+        (f / "points.csv").write_text("s,depth\n" + "".join(f"{s},{depth}\n" for s in (-0.25, 0.25, 0.75) for depth in (0.75, 12)))
+        solved, kept = (self.patches("stresses", f / "result.h5", "--body", f / body, "--points", f / "points.csv")[0]
+                        for body in ("block.toml", "kernel.h5"))
+        for name in ("von_mises", "largest_shear"):  # by a mesh this coarse; the two halve its borders differently
+            self.assertAlmostEqual(kept[name] / solved[name], 1, delta=0.015)
             self.assertNotEqual(kept[name], kept["halfspace_" + name])
 
         (f / "cases.toml").write_text(SCENE + "[sweep]\nload.force = [600, 1000]\n")
