@@ -56,8 +56,8 @@ void harmonic_command(const std::string& body_file, const std::string& mesh, con
   if (process_rank() == 0)
     note.emplace(
         "wavenumbers",
-        fmt::format("Give the same command again to go on: '{0}.part' and '{0}.companion.part' hold them.",
-                    output));
+        fmt::format("Give the same command again to go on: '{0}.part' and '{0}.companion.part'{1} hold them.",
+                    output, body->stress.depths > 0 ? fmt::format(" and '{}.stresses.part'", output) : ""));
   const RunReport report = run_harmonic(*body, *curve, mesh, output, [&](std::size_t done, std::size_t all) {
     bar.show(done, all);
     note->done(done, all);

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -30,28 +31,12 @@ EllipticalLoad load_of(const std::vector<double>& ellipse) {
   return load;
 }
 
-/// The tractions that a result has on the body, and the stresses of a half-space under them.
-LoadedInside loaded(const inside::SurfaceTractions& tractions, inside::Side side, double traction_error,
-                    const std::vector<inside::BelowSurface>& own) {
-  LoadedInside out{tractions, inside::halfspace_inside(tractions, side, own)};
-  if (out.stresses.areas.empty())
+using inside::LoadedInside;
+
+void require_areas(const LoadedInside& load) {
+  if (load.stresses.areas.empty())
     throw InputError("There is no patch with stresses worth looking at",
                      "none has four rows and columns of elements", "Solve the scene with smaller elements.");
-  out.stresses.traction_error = traction_error;
-  return out;
-}
-
-LoadedInside loaded_by(const std::string& file, const BodyFile& body, const ProfileCurve& curve,
-                       const std::vector<inside::BelowSurface>& own) {
-  const record::Record result = record::read_hdf5(file);
-  const inside::Side side = inside::side_of(result, curve.digest());
-  const inside::SurfaceTractions tractions = inside::read_tractions(result, side);
-  if (std::abs(tractions.poisson - body.material.poisson) > 1e-9)
-    throw InputError(
-        "The body has another material than the result",
-        fmt::format("Poisson's ratios are {:g} and {:g}", body.material.poisson, tractions.poisson),
-        "Correct [material] of the body file, or solve the scene again.");
-  return loaded(tractions, side, inside::traction_error(result), own);
 }
 
 std::vector<LoadedInside> loads_on(const BodyFile& body, const ProfileCurve& curve,
@@ -59,12 +44,14 @@ std::vector<LoadedInside> loads_on(const BodyFile& body, const ProfileCurve& cur
   const std::vector<inside::BelowSurface> own = options.points.empty()
                                                     ? std::vector<inside::BelowSurface>{}
                                                     : inside::read_points_below(options.points);
-  if (options.results.empty())
-    return {
-        loaded(tractions_of(load_of(options.ellipse), body.material.poisson), inside::Side::rail, 0, own)};
   std::vector<LoadedInside> out;
+  if (options.results.empty()) {
+    const inside::SurfaceTractions tractions = tractions_of(load_of(options.ellipse), body.material.poisson);
+    out.push_back({tractions, inside::halfspace_inside(tractions, inside::Side::rail, own)});
+  }
   for (const std::string& file : options.results)
-    out.push_back(loaded_by(file, body, curve, own));
+    out.push_back(inside::loaded_by(record::read_hdf5(file), curve.digest(), body.material.poisson, own));
+  std::ranges::for_each(out, require_areas);
   return out;
 }
 

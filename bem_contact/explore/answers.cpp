@@ -14,6 +14,7 @@
 #include "bem_contact/report/report_page.hpp"
 #include "bem_contact/report/scene_values.hpp"
 #include "bem_contact/scene/absolute_names.hpp"
+#include "bem_contact/scene/derivative_inputs.hpp"
 #include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/result_file.hpp"
 #include "bem_contact/sequence/result_record.hpp"
@@ -105,6 +106,7 @@ Answers::Stop Answers::newest(const std::string& window) {
 
 SceneResult Answers::solve(const Question& question, Sequence& sequence, const Stop& stop) {
   const SceneFile scene = scenes_.scene(question);
+  refuse_derivatives(scene, "this page");
   const std::scoped_lock lock(solving_);
   end_if_stopped(stop.get());
   return sequence.solve(scene, stop.get());

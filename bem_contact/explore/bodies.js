@@ -1,7 +1,11 @@
 // Influence functions of the bodies on the screen. The program computes them beside everything else; a page without it
 // names the commands.
+import {add, download} from "../report/drawing.js";
+import {sceneValue} from "../report/scene_words.js";
+import {asked} from "./answer.js";
+import {ask, scene, sceneNow} from "./case.js";
+
 const LOOK_AGAIN = 300; // ms between two looks at how far they are
-const OURS = /^((?:rail|wheel)_[0-9a-f]{8})\.h5$/; // influence files that were computed here
 
 const bodyTexts = {}; // by name: body files that were asked for on this page
 
@@ -15,13 +19,13 @@ const jsonOf = async (what, scene, lane) => {
 const commandsOfBodies = names => names.flatMap(
     name => [`mesh_body ${name}.toml -o ${name}.msh`, `fem_influence ${name}.toml ${name}.msh -o ${name}.h5`]);
 
-/// Bodies whose influence files the scene on the screen names.
-const namedBodies =
-    () => ["rail", "wheel"].map(side => OURS.exec(sceneValue(`${side}.influence`))?.[1]).filter(Boolean);
-const bodyCommands = () => commandsOfBodies(namedBodies());
+/// Those of them whose influence files the scene on the screen names.
+const namedBodies = () => ["rail", "wheel"].flatMap(side =>
+  Object.keys(bodyTexts).filter(name => sceneValue(`${side}.influence`) === `${name}.h5`));
+export const bodyCommands = () => commandsOfBodies(namedBodies());
 
 /// The panel: a button that computes, one that saves the body files, and the commands that do the same.
-const addBodiesPanel = parent => {
+export const addBodiesPanel = parent => {
   add("h2", "Finite elements", parent);
   add("p",
       "The model fem needs influence functions of both bodies where they touch. They are computed for the contact on " +

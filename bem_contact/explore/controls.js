@@ -1,63 +1,17 @@
-// What can be moved: sliders and fields, each for a key of scenes. `scale`: what 1 in the field is in the key's unit,
-// which is `keyUnit`. `of`: whether it is asked of one wheel or of a wheelset; else of both.
-const CONTROLS = [
-  {key: "position.lateral", title: "lateral, to the right", unit: "mm", from: -8, to: 8, step: 0.02,
-   kind: "wheel_rail"},
-  {key: "position.yaw", title: "yaw, front to the right", unit: "mrad", keyUnit: "rad",
-   scale: 1e-3, from: -20, to: 20, step: 0.1, kind: "wheel_rail"},
-  {key: "position.roll", title: "roll, right side down", unit: "mrad", keyUnit: "rad",
-   scale: 1e-3, from: -10, to: 10, step: 0.05, kind: "wheel_rail", of: "wheel"},
-  {key: "track.curve_radius", title: "curve, centre to the right", unit: "m", keyUnit: "mm", scale: 1e3,
-   inverse: {from: -10, to: 10, step: 0.1, unit: "1/km"},
-   kind: "wheel_rail"},
-  {key: "motion.speed", title: "speed", unit: "km/h", keyUnit: "mm/s",
-   scale: 1e6 / 3600, from: 0, to: 250, step: 1, kind: "wheel_rail"},
-  {key: "load.force", title: "vertical force", unit: "kN", keyUnit: "N",
-   scale: 1e3, from: 5, to: 200, step: 0.5, fits: true, of: "wheel"},
-  {key: "wheelset.force", title: "vertical force on the axle", unit: "kN", keyUnit: "N",
-   scale: 1e3, from: 10, to: 400, step: 1, fits: true, of: "wheelset"},
-  {key: "wheelset.force_y", title: "lateral force on the axle", unit: "kN", keyUnit: "N",
-   scale: 1e3, from: -60, to: 60, step: 0.5, of: "wheelset", given: true},
-  {key: "motion.friction", title: "coefficient of friction", unit: "", from: 0.01, to: 0.6, step: 0.005},
-  {key: "motion.xi", title: "longitudinal creepage", unit: "‰",
-   scale: 1e-3, from: -10, to: 10, step: 0.02, of: "wheel"},
-  {key: "motion.eta", title: "lateral creepage", unit: "‰",
-   scale: 1e-3, from: -10, to: 10, step: 0.02, of: "wheel"},
-  {key: "motion.phi", title: "spin", unit: "1/m", keyUnit: "1/mm",
-   scale: 1e-3, from: -2, to: 2, step: 0.01, of: "wheel"},
-  {key: "layer.compliance", title: "compliance of a layer", unit: "mm³/kN", keyUnit: "mm^3/N",
-   scale: 1e-3, from: 0, to: 0.4, step: 0.002}];
-
-/// Numbers in a field's unit as the key's values, and back, without digits of rounding.
-const exact = value => Number(value.toPrecision(12));
-const toKey = (control, value) => exact(value * (control.scale ?? 1));
-const toField = (control, value) => exact(value / (control.scale ?? 1));
-
-/// A message about a key with its numbers in the unit of the key's field.
-const inFieldUnits = message => {
-  const numeral = "-?[0-9]+(?:\\.[0-9]*)?(?:e[-+]?[0-9]+)?";
-  for (const control of CONTROLS.filter(one => one.scale && message.includes(one.key))) {
-    const shown = text => `${Number(toField(control, Number(text)).toPrecision(6))} ${control.unit}`,
-          quoted = text => text.replace(/[.^/]/g, "\\$&");
-    const unit = control.keyUnit ? `(?: ${quoted(control.keyUnit)}(?![\\w/^]))` : "(?!)";
-    message = message
-                  .replace(
-                      new RegExp(`(${quoted(control.key)} = )(${numeral})${unit}?`, "g"),
-                      (_, before, value) => before + shown(value))
-                  .replace(
-                      new RegExp(`([<>]=? )(${numeral})${unit}?(?! ?${quoted(control.unit)})`, "g"),
-                      (_, before, value) => before + shown(value))
-                  .replace(new RegExp(`(^|[ (])(${numeral})${unit}`, "g"), (_, before, value) => before + shown(value));
-  }
-  return message;
-};
+// Sliders, fields and choices of the page.
+import {add} from "../report/drawing.js";
+import {sceneValue} from "../report/scene_words.js";
+import {data} from "../report/shown.js";
+import {exact, toField, toKey} from "./moved_keys.js";
+import {problemShown} from "./problem.js";
 
 /// A curve's slider moves its curvature: a straight track is its middle.
 const toSlider = (control, value) => control.inverse ? (value ? exact(1e3 / value) : 0) : value;
 const fromSlider = toSlider;
 
+export const controls = []; // those of the page
 /// A label, a field and a slider. `moved(key, value)` is called as they move.
-const addControl = (control, parent, moved) => {
+export const addControl = (control, parent, moved) => {
   const row = add("div", "", parent, {className: "control", hidden: true}), id = control.key.replace(".", "-");
   add("label", control.title, row, {htmlFor: id, title: control.key});
   const field = add("input", "", row, {type: "number", id, step: "any", name: control.key});
@@ -75,7 +29,7 @@ const addControl = (control, parent, moved) => {
     stretch(slider, toSlider(control, Number(field.value)));
     moved(control.key, toKey(control, Number(field.value)));
   });
-  return {...control, row, field, slider};
+  controls.push({...control, row, field, slider});
 };
 
 /// Makes room for a value beyond the slider's ends, and sets it.
@@ -86,13 +40,13 @@ const stretch = (slider, value) => {
 };
 
 /// The slider's own ends, where a scene begins anew.
-const unstretch = ({slider, inverse, ...own}) => {
+export const unstretch = ({slider, inverse, ...own}) => {
   const scale = inverse ?? own;
   Object.assign(slider, {min: scale.from, max: scale.to, step: scale.step});
 };
 
 /// Shows what the scene has; a key that the scene cannot have is hidden.
-const showControl = (control, kind) => {
+export const showControl = (control, kind) => {
   const text = sceneValue(control.key), given = text !== "" && Number.isFinite(Number(text));
   const of = data.wheels ? "wheelset" : "wheel"; // an axle has some keys that one wheel has not
   control.row.hidden =
@@ -112,7 +66,7 @@ const showControl = (control, kind) => {
 };
 
 /// A choice of names.
-const addChoice = (key, title, names, parent, moved) => {
+export const addChoice = (key, title, names, parent, moved) => {
   const row = add("div", "", parent, {className: "control wide"}), id = key.replace(".", "-");
   add("label", title, row, {htmlFor: id, title: key});
   const list = add("select", "", row, {id, name: key});
@@ -122,10 +76,10 @@ const addChoice = (key, title, names, parent, moved) => {
   return {key, row, list};
 };
 
-const LARGEST_FILE = 10e6; // bytes of a profile
+export const LARGEST_FILE = 10e6; // bytes of a profile
 
 /// A profile: a standard's name, or a file that is chosen or dropped here. `dropped(key, name, text)`.
-const addProfileField = (key, title, names, parent, moved, dropped) => {
+export const addProfileField = (key, title, names, parent, moved, dropped) => {
   const row = add("div", "", parent, {className: "control wide", hidden: true}), id = key.replace(".", "-");
   add("label", title, row, {htmlFor: id, title: `${key}: a standard, or drop a file here`});
   const field = add("input", "", row, {id, name: key, autocomplete: "off"});

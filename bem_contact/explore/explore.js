@@ -1,57 +1,34 @@
 // The page: one scene, its answer, and what is drawn of it.
-const start = JSON.parse(document.getElementById("data").textContent);
-const scene = {text: start.scene.text, changes: {...start.scene.changes}, files: {...start.scene.files}};
-const report = {kind: "result", file: start.name};
-let data = {}, solved, held,
-    offerSweep; // data: of the answer that is shown; solved: the scene of the last answer; held: {scene, data}
-const element = id => document.getElementById(id);
-let shownWheel = "right"; // of a wheelset: whose figures and numbers are shown
-/// What is shown of a reply's data: one contact; of a wheelset one of its wheels.
-const oneOf = found => found?.wheels ? {...found, ...found.wheels[shownWheel]} : found;
-const sceneNow = () => ({text: scene.text, changes: {...scene.changes}, files: {...scene.files}});
+import {certifiedOf, contactsOf, titleOf} from "../report/answers.js";
+import {
+  ARROWS, cutFigure, extent, isShaped, patchFigure, sectionFigure, solidFigure
+} from "../report/contact_figures.js";
+import {add, failed, loadLibrary} from "../report/drawing.js";
+import {linesOf, ranked, unitText, valueText, words} from "../report/numbers.js";
+import {radiusOf, sceneValue} from "../report/scene_words.js";
+import {data, report, show} from "../report/shown.js";
+import {addPatches, addQuantities, addSix, addTable, warningsOf} from "../report/tables.js";
+import {addBodiesPanel} from "./bodies.js";
+import {
+  ask, change, kept, lastMove, moved, oneOf, scene, sceneNow, start, whenAnswered
+} from "./case.js";
+import {
+  LARGEST_FILE, addChoice, addControl, addProfileField, controls, showControl, unstretch
+} from "./controls.js";
+import {HEIGHTS, costs, drawn, element} from "./frames.js";
+import {addHeldPanel, showHeld} from "./held.js";
+import {CONTROLS} from "./moved_keys.js";
+import {problemShown} from "./problem.js";
+import {addSavePanel, showCommands} from "./save.js";
+import {addSweepPanel} from "./sweep.js";
+import {NOTE} from "reply";
 
-// --- asking: one solution in flight, the last position wins ---
-const PATIENCE = 400; // ms after which a newer position replaces a solution that is under way
-let turn = 0, since, waiting;
-
-const ask = async () => {
-  clearTimeout(waiting);
-  const left = since === undefined ? 0 : since + PATIENCE - performance.now();
-  if (left > 0)
-    return void (waiting = setTimeout(ask, left));
-  waiting = undefined;
-  const mine = ++turn, asked = sceneNow();
-  since = performance.now();
-  const reply = await answer(asked);
-  if (mine !== turn || reply.problem?.kind === "replaced")
-    return;
-  const took = performance.now() - since;
-  since = undefined;
-  await shown(reply, took, asked);
-  if (waiting !== undefined)
-    ask();
-};
-
-const moved = (key, value) => {
-  scene.changes[key] = value;
-  lastMove = performance.now();
-  ask();
-};
-
-// --- drawing ---
-let lastMove = 0, resting, drawing = 0;
+let resting, drawing = 0;
 const REST = 150; // ms without a move, after which figures that are slow to draw follow
 const QUICK = 30; // ms that a figure may take to be drawn at each move
-const costs = {};
-
-const drawn = async (frame, figure) => {
-  const from = performance.now();
-  await Plotly.react(
-      frame, figure.traces, layoutOf(figure, frame.clientWidth), {...PLOT_OPTIONS, displayModeBar: false});
-  costs[frame.id] = performance.now() - from;
-};
 
 const figuresOf = contact => {
+  /** @type {[string, any][]} */
   const out = [["patch", patchFigure(contact, element("arrows").value)]];
   if (extent(contact)) {
     if (isShaped(contact)) {
@@ -68,7 +45,6 @@ const figuresOf = contact => {
   }
   return out;
 };
-const HEIGHTS = {solid: 400, section: 260, patch: 400, "cut-x": 260, "cut-s": 260};
 
 const drawContact = async all => {
   const [contact] = contactsOf(data), mine = ++drawing;
@@ -85,7 +61,7 @@ const drawContact = async all => {
     clearTimeout(resting);
     resting = setTimeout(() => drawContact(true), REST);
   } else
-    document.body.dataset.drawn = drawing;
+    document.body.dataset.drawn = String(drawing);
 };
 
 /// On paper stands the answer that is shown, in every figure.
@@ -96,33 +72,16 @@ const drawAtOnce = () => {
       drawn(element(id), {...figure, height: HEIGHTS[id]});
 };
 
-const problemShown = message => {
-  element("problem").hidden = !message;
-  element("problem").textContent = inFieldUnits(message);
-  element("page").classList.toggle("stale", Boolean(message));
-  if (!message || !solved)
-    return;
-  add("p", "", element("problem")).append(Object.assign(document.createElement("button"), {
-    type: "button",
-    textContent: "Back to the last case that was solved",
-    onclick: () => {
-      Object.assign(scene, structuredClone(solved));
-      element("text").value = scene.text;
-      ask();
-    }
-  }));
-};
-
 /// Shows an answer, or what is wrong.
 const shown = async (reply, took, asked) => {
   if (reply.problem) {
     element("status").textContent = "Not solved.";
     problemShown(reply.problem.message);
-    document.body.dataset.drawn ??= 0;
+    document.body.dataset.drawn ??= "0";
     return;
   }
-  data = oneOf(reply.data);
-  solved = asked ?? sceneNow();
+  show(oneOf(reply.data));
+  kept.solved = asked ?? sceneNow();
   problemShown("");
   showControls();
   showNumbers(took);
@@ -163,7 +122,7 @@ const showNumbers = took => {
   addRemarks(data.remarks, parent);
   const said = new Set(Object.values(data.remarks ?? {}).map(one => one.attributes?.text));
   for (const {text} of warningsOf(contact).filter(one => !said.has(one.text)))
-    add("p", `Warning: ${inFieldUnits(text)}`, parent, {className: "warning"});
+    add("p", `Warning: ${text}`, parent, {className: "warning"});
   const more = add("details", "", parent, {id: "more", open: Boolean(open)});
   add("summary", "All numbers, with their errors", more);
   const fill = () => more.open && more.childElementCount === 1 && addAllNumbers(contact, more);
@@ -180,11 +139,7 @@ const addRemarks = (remarks, parent) => {
     if (Object.keys(changes).length)
       add("button", `Take it: ${Object.entries(changes).map(([key, value]) => `${key} = ${value}`).join(", ")}`, line, {
         type: "button",
-        onclick: () => {
-          Object.assign(scene.changes, changes);
-          lastMove = performance.now();
-          ask();
-        }
+        onclick: () => change(changes)
       });
   }
 };
@@ -195,8 +150,8 @@ const showWheels = () => {
   parent.hidden = !both;
   if (!both)
     return;
-  element("wheels-right").checked = shownWheel === "right";
-  element("wheels-left").checked = shownWheel === "left";
+  element("wheels-right").checked = kept.wheel === "right";
+  element("wheels-left").checked = kept.wheel === "left";
   const contacts = ["right", "left"].map(side => contactsOf(both[side])[0]),
         names = ranked(contacts[0].group.quantities, "result", "headline")
                     .filter(name => contacts.every(({group}) => group.quantities[name]));
@@ -228,7 +183,11 @@ const addWheelsPanel = parent => {
     const one = add("div", "", both),
           label = add("label", `${side} wheel: show it above `, add("p", "", one, {className: "caption"}));
     const pick = add("input", "", label, {type: "radio", name: "shown-wheel", id: `wheels-${side}`});
-    pick.addEventListener("change", () => { shownWheel = side; if (data.wheels) shown({data}, undefined, solved); });
+    pick.addEventListener("change", () => {
+      kept.wheel = side;
+      if (data.wheels)
+        shown({data}, undefined, kept.solved);
+    });
     add("div", "", one, {id: `patch-${side}`, className: "figure"});
   }
   add("div", "", parent, {id: "wheels-table", className: "scroll"});
@@ -258,13 +217,13 @@ const newScene = (text, changes = {}) => {
   ask();
 };
 
-const controls = [], choices = [], profiles = [];
+const choices = [], profiles = [];
 const addControls = form => {
   const group = title => { const set = add("fieldset", "", form); add("legend", title, set); return set; };
   const position = group("Position and load"), motion = group("Friction and creepage"),
         bodies = group("Bodies and model");
   for (const control of CONTROLS)
-    controls.push(addControl(control, /^(motion|layer)/.test(control.key) ? motion : position, moved));
+    addControl(control, /^(motion|layer)/.test(control.key) ? motion : position, moved);
   for (const [key, title, names] of [["rail.profile", "rail", start.rails], ["wheel.profile", "wheel", start.wheels]])
     profiles.push(addProfileField(key, title, names, bodies, moved, profileDropped));
   choices.push(addChoice(
@@ -274,8 +233,8 @@ const addControls = form => {
   const row = add("div", "", form, {className: "row"});
   const button = (text, id, onclick, more = {}) => add("button", text, row, {type: "button", id, onclick, ...more});
   button("As it began", "reset", () => newScene(start.scene.text, start.scene.changes));
-  button("Hold this case", "hold", () => { held = {scene: solved, data}; showHeld(); showCommands(); });
-  button("Let it go", "release", () => { held = undefined; showHeld(); showCommands(); }, {hidden: true});
+  button("Hold this case", "hold", () => { kept.held = {scene: kept.solved, data}; showHeld(); showCommands(); });
+  button("Let it go", "release", () => { kept.held = undefined; showHeld(); showCommands(); }, {hidden: true});
   const fold = add("details", "", form);
   add("summary", "The scene's text: every other key", fold);
   const text = add("textarea", "", fold, {id: "text", spellcheck: false, value: scene.text});
@@ -325,13 +284,16 @@ const addFigures = parent => {
   }
 };
 
+let offerSweep;
 const begin = async () => {
+  report.file = start.name;
+  whenAnswered(shown);
   document.title = `${start.name}: bem_contact explore`;
   addFigures(element("figures"));
   addControls(element("controls"));
   addWheelsPanel(element("wheels"));
   addHeldPanel(element("held"));
-  offerSweep = addSweepPanel(element("sweep"));
+  offerSweep = addSweepPanel(element("sweep"), {shown, then: showCommands});
   addBodiesPanel(element("bodies"));
   addSavePanel(element("save"));
   takeDrops();

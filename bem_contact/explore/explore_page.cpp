@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-// embedded.S; each ends with a NUL. The scripts are joined by the build (CMakeLists.txt).
+// embedded.S; each ends with a NUL. The modules of a page are one script (CMakeLists.txt).
 extern "C" {
 extern const char explore_explore_html[], explore_explore_css[], explore_explore_js[];
 }

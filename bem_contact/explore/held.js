@@ -1,4 +1,14 @@
 // Two cases side by side.
+import {contactsOf} from "../report/answers.js";
+import {patchFigure} from "../report/contact_figures.js";
+import {add} from "../report/drawing.js";
+import {number, ranked, unitText, valueOf, valueText, words} from "../report/numbers.js";
+import {data} from "../report/shown.js";
+import {addTable} from "../report/tables.js";
+import {kept} from "./case.js";
+import {drawn, element} from "./frames.js";
+import {CONTROLS, toField} from "./moved_keys.js";
+
 const SAME = 1e-12;
 const changedText = (key, {changes}) => {
   const control = CONTROLS.find(one => one.key === key), value = changes[key];
@@ -10,14 +20,14 @@ const describeChanges = (from, to) => {
     .map(key => `${words(key)} (${key}) ${changedText(key, from)} → ${changedText(key, to)}`).join("; ") || "nothing";
 };
 
-const showHeld = () => {
+export const showHeld = () => {
   const parent = element("held"), [now] = contactsOf(data);
-  parent.hidden = !held;
-  element("release").hidden = !held;
-  if (!held)
+  parent.hidden = !kept.held;
+  element("release").hidden = !kept.held;
+  if (!kept.held)
     return;
-  const [before] = contactsOf(held.data), q = [before, now].map(contact => contact.group.quantities);
-  element("differs").textContent = `What differs: ${describeChanges(held.scene, solved)}.`;
+  const [before] = contactsOf(kept.held.data), q = [before, now].map(contact => contact.group.quantities);
+  element("differs").textContent = `What differs: ${describeChanges(kept.held.scene, kept.solved)}.`;
   const names = ranked(q[1], "result", "main").filter(name => q.every(one => typeof valueOf(one, name) === "number"));
   const share = (a, b) => Math.abs(a) > SAME ? `${(100 * (b - a) / Math.abs(a)).toFixed(1)} %` : "–";
   element("held-table").replaceChildren();
@@ -27,14 +37,14 @@ const showHeld = () => {
       words(name), valueText(q[0], name), valueText(q[1], name), number(b - a), share(a, b), unitText(q[1][name].unit)
     ];
   }), {parent: element("held-table"), numbers: [1, 2, 3, 4], id: "differences"});
-  for (const [id, contact] of [["patch-held", before], ["patch-now", now]]) {
+  [before, now].forEach((contact, k) => {
     const figure = patchFigure(contact, element("arrows").value);
     if (figure)
-      drawn(element(id), {...figure, height: 340});
-  }
+      drawn(element(["patch-held", "patch-now"][k]), {...figure, height: 340});
+  });
 };
 
-const addHeldPanel = parent => {
+export const addHeldPanel = parent => {
   add("h2", "Two cases side by side", parent);
   add("p", "", parent, {id: "differs", className: "caption"});
   const both = add("div", "", parent, {className: "side-by-side"});

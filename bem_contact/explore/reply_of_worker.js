@@ -1,11 +1,13 @@
 // A solver inside the page answers, in a worker (bem_contact/browser). reply.js stands here where the program does.
-const NOTE =
+import {add, unpacked} from "../report/drawing.js";
+
+export const NOTE =
     "This page solves by itself, in your browser: nothing is sent to anyone. It writes no HDF5. What needs such " +
     "files, or minutes, is done by the program: results (bem_contact solve SCENE.toml -o R.h5), finite elements of " +
     "other bodies (explore SCENE.toml, where the scene " +
     "names their influence files), tables of forces (table), sweeps on all cores (sweep), creep curves " +
     "(creep-curves), wear, fatigue, both wheels (wheelset).";
-const SILENT = "The solver of this page does not answer (the browser has ended it) Load the page again.";
+export const SILENT = "The solver of this page does not answer (the browser has ended it) Load the page again.";
 
 /// The worker, once it has its solver.
 const solver = (async () => {
@@ -35,26 +37,26 @@ const askNext = async () => {
   worker.postMessage({what, question: JSON.stringify(question)});
 };
 
+const REPLACED = {problem: {kind: "replaced", message: "A newer question has replaced this one."}};
 const askWorker = (what, question) => new Promise((done, failed) => {
   const before = queue.findIndex(one => one.question.window === question.window);
   if (before >= 0)
-    queue.splice(before, 1)[0].done(
-        Response.json({problem: {kind: "replaced", message: "A newer question has replaced this one."}}));
+    queue.splice(before, 1)[0].done(/** @type {any} */ (Response).json(REPLACED));
   queue.push({what, question, done, failed});
   askNext();
 });
 
 /// What is answered to a question, as a Response; throws where nobody answers. `what`: a name of all_asked
 /// (answers.hpp).
-const replyTo = async (what, question) => {
+export const replyTo = async (what, question) => {
   const needs = files ? {} : await (await askWorker("needs", question)).json();
   if (needs.problem)
-    return Response.json(needs);
+    return /** @type {any} */ (Response).json(needs);
   if (needs.influence)
     await loadFiles();
   const response = await askWorker(what, question);
   if (what !== "report" || !response.headers.get("Content-Type").startsWith("text/html"))
     return response;
-  return new Response(
-      (await response.text()).replace("@LIBRARY_OF_THE_PAGE@", element("library").textContent), response);
+  const library = document.getElementById("library").textContent;
+  return new Response((await response.text()).replace("@LIBRARY_OF_THE_PAGE@", library), response);
 };

@@ -1,4 +1,15 @@
 // What can be saved, and the commands that do the same.
+import {contactsOf} from "../report/answers.js";
+import {add, csvOf, download} from "../report/drawing.js";
+import {errorOf, valueOf} from "../report/numbers.js";
+import {data} from "../report/shown.js";
+import {fileOf} from "./answer.js";
+import {bodyCommands} from "./bodies.js";
+import {kept, scene, sceneNow, start} from "./case.js";
+import {element} from "./frames.js";
+import {problemShown} from "./problem.js";
+import {sweep, sweepCsv, sweepText} from "./sweep.js";
+
 const saving = (what, name) => async () => {
   try {
     download(await fileOf(what, sceneNow()), name);
@@ -16,10 +27,10 @@ const numbersCsv = () => {
 };
 
 const savePicture = async () => {
-  const shownFigures =
-      [...document.querySelectorAll(".figure")].filter(frame => frame.data && !frame.hidden && frame.clientWidth);
-  for (const frame of shownFigures)
-    download(await (await fetchPicture(frame)), `${frame.id}.png`);
+  /** @type {any[]} */
+  const frames = [...document.querySelectorAll(".figure")];
+  for (const frame of frames.filter(one => one.data && !one.hidden && one.clientWidth))
+    download(await fetchPicture(frame), `${frame.id}.png`);
 };
 const fetchPicture = async frame => {
   const shownAs = {data: frame.data, layout: {...frame.layout, updatemenus: []}};
@@ -37,7 +48,7 @@ const saveSweep = async () => {
   }
 };
 
-const showCommands = () => {
+export const showCommands = () => {
   const changed = Object.keys(scene.changes).length > 0 || scene.text !== start.scene.text;
   const file = (!changed && start.file) || "explored.toml";
   const lines = [
@@ -46,6 +57,7 @@ const showCommands = () => {
   ];
   if (sweep.cases.length)
     lines.push("bem_contact sweep explored_sweep.toml -o explored_sweep.h5");
+  const {held} = kept;
   if (held && held.scene.text === scene.text && Object.keys({...held.scene.changes, ...scene.changes})
       .every(key => key === "solver.model" || held.scene.changes[key] === scene.changes[key])) {
     const models = [held.data, data].map(one => contactsOf(one)[0].name);
@@ -56,7 +68,7 @@ const showCommands = () => {
   element("save-sweep").hidden = element("save-sweep-csv").hidden = !sweep.cases.length;
 };
 
-const addSavePanel = parent => {
+export const addSavePanel = parent => {
   add("h2", "Save", parent);
   const row = add("div", "", parent, {className: "row"});
   const button = (text, onclick, more = {}) => add("button", text, row, {type: "button", onclick, ...more});

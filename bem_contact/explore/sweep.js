@@ -1,5 +1,15 @@
 // Sweeps: one answer after the other over what a slider moves. All are kept, so that a click shows one at once.
-const sweep = {key: "", cases: [], running: false}; // each case: {value, reply}
+import {OUTCOMES, certifiedOf, countsText} from "../report/answers.js";
+import {patchesFigure, sweepFigure, withUnit} from "../report/curve_figures.js";
+import {add, csvOf} from "../report/drawing.js";
+import {VIEWS, errorOf, ranked, valueOf, withErrors} from "../report/numbers.js";
+import {answer} from "./answer.js";
+import {oneOf, scene, sceneNow} from "./case.js";
+import {controls} from "./controls.js";
+import {drawn} from "./frames.js";
+import {CONTROLS, toField, toKey} from "./moved_keys.js";
+
+export const sweep = {key: "", cases: [], running: false}; // each case: {value, reply}
 
 const outcomeOf = ({data: result, problem}) => problem            ? problem.kind
     : Object.values(result.wheels ?? {result}).every(certifiedOf) ? "certified"
@@ -15,6 +25,7 @@ const sweepData = () => {
   if (!good)
     return undefined;
   const results = sweep.cases.map(shownOf), each = of => results.map(result => (result && of(result)) ?? null);
+  /** @type {Record<string, any>} */
   const out = {
     [sweep.key]: {
       values: sweep.cases.map(one => toField(control, one.value)),
@@ -41,11 +52,12 @@ const sweepData = () => {
 };
 
 /// Figures of the sweep; a click on a mark shows that case.
-const drawSweep = async parent => {
+const drawSweep = async (parent, shown) => {
   const table = sweepData();
   if (!table)
     return;
-  const wanted = SHARED.views.sweep.figures.filter(names => names.every(name => table[name]))
+  /** @type {[string, any][]} */
+  const wanted = VIEWS.sweep.figures.filter(names => names.every(name => table[name]))
                      .map(names => [`sweep-${names.join("-")}`, sweepFigure(table, [sweep.key], sweep.key, names)]);
   if (table.patches.y?.values.some(y => y !== null))
     wanted.unshift(["sweep-patches", patchesFigure(table, sweep.key)]);
@@ -53,19 +65,19 @@ const drawSweep = async parent => {
     const frame = document.getElementById(id) ?? add("div", "", parent, {id, className: "figure"});
     await drawn(frame, {...figure, height: 300});
     frame.removeAllListeners?.("plotly_click");
-    frame.on("plotly_click", event => showCase(event.points[0].customdata));
+    frame.on("plotly_click", event => showCase(event.points[0].customdata, shown));
   }
 };
 
 /// Shows a case of the sweep as if its slider stood there.
-const showCase = i => {
+const showCase = (i, shown) => {
   const one = sweep.cases[i];
   scene.changes[sweep.key] = one.value;
-  document.activeElement?.blur();
+  /** @type {HTMLElement} */ (document.activeElement)?.blur();
   shown(one.reply);
 };
 
-const sweepCsv = () => {
+export const sweepCsv = () => {
   const {status, patches, ...table} = sweepData(), columns = Object.entries(table).flatMap(withErrors);
   return csvOf([
     [...columns.map(([name, column]) => withUnit(name, column)), "status", "reason"],
@@ -74,13 +86,14 @@ const sweepCsv = () => {
 };
 
 /// The sweep as a table of a scene.
-const sweepText = () => {
+export const sweepText = () => {
   const values = sweep.cases.map(one => one.value);
   return `\n[sweep]\n${sweep.key} = [${values.join(", ")}]\n`;
 };
 
-/// The panel: which key, from where to where, how many; then the figures.
-const addSweepPanel = parent => {
+/// The panel: which key, from where to where, how many; then the figures. `shown(reply)` shows an answer; `then()`
+/// follows a sweep.
+export const addSweepPanel = (parent, {shown, then}) => {
   add("h2", "Sweep", parent);
   const row = add("div", "", parent, {className: "row"}),
         field = (text, more) => add("input", "", add("label", text, row), more);
@@ -128,8 +141,8 @@ const addSweepPanel = parent => {
                                                                 : outcomes.filter(one => one === outcome).length)}. ` +
         "A click on a mark shows its patch." +
         (bad >= 0 ? ` The first that is ${outcomes[bad]}: ${reasonOf(sweep.cases[bad].reply)}` : "");
-    await drawSweep(figures);
-    showCommands();
+    await drawSweep(figures, shown);
+    then();
   });
   return shown => { // the keys that have a slider now
     const offered = shown.filter(one => !one.inverse); // a curve's radius has no middle

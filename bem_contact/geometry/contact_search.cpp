@@ -27,6 +27,10 @@ constexpr double last_lowering = 1e-10;
 /// 1. Such steps at most: four are usual. A bound.
 constexpr int lowering_steps = 20;
 
+/// 1 (cos of the inclination). A face of a rail of sections that is steeper, 89 degrees, is upright: a wheel
+/// that is lowered passes along it, as a flange's back along a check rail. Chosen.
+constexpr double least_upright = 0.0175;
+
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 /// Indices in (from, to) of local minima that a barrier separates from each other and from lower ends, the
@@ -194,7 +198,7 @@ public:
     std::vector<double> distance;
     distance.reserve(slices.size());
     for (const RailSlice& slice : slices)
-      distance.push_back(slice.gap < excluded_gap ? slice.gap / upright(slice.delta) : excluded_gap);
+      distance.push_back(vertical(slice.gap, slice.delta));
     std::vector<TouchPoint> out;
     const int last = static_cast<int>(slices.size()) - 1;
     if (last < 2)
@@ -227,24 +231,28 @@ public:
 
 private:
   double upright(double delta) const { return std::cos(delta) * pair_.upright(); }
+  /// How far the wheel may be lowered until it touches a row at this distance along the normal.
+  double vertical(double gap, double delta) const {
+    return gap < excluded_gap && upright(delta) > least_upright ? gap / upright(delta) : excluded_gap;
+  }
   std::pair<RowOnLocus, ContactRow> row_at(double s) const {
     const CurvePoint p = pair_.rail_at(s);
     const ContactRow row{p.s, p.position, p.delta};
     return {with_relief(pair_, row, rows_on_locus(locus_, std::span(&row, 1)).front()), row};
   }
   TouchPoint refined(double near) const {
-    const auto vertical = [&](double s) {
+    const auto distance = [&](double s) {
       const auto [on, row] = row_at(s);
-      return on.hit() ? on.distance / upright(row.delta) : excluded_gap;
+      return on.hit() ? vertical(on.distance, row.delta) : excluded_gap;
     };
     const double from = std::max(near - slice_width, pair_.rail.s_begin()),
                  to = std::min(near + slice_width, pair_.rail.s_end());
     const auto [s, least] =
-        boost::math::tools::brent_find_minima(vertical, from, to, std::numeric_limits<double>::digits / 2);
-    const double at = vertical(near) <= least ? near : s;
+        boost::math::tools::brent_find_minima(distance, from, to, std::numeric_limits<double>::digits / 2);
+    const double at = distance(near) <= least ? near : s;
     const auto [on, row] = row_at(at);
     const Vector3 p = pair_.sections->point(on.x, row);
-    return {at, on.wheel_s, on.x, {p[1], p[2]}, row.delta, on.distance / upright(row.delta), at, at};
+    return {at, on.wheel_s, on.x, {p[1], p[2]}, row.delta, vertical(on.distance, row.delta), at, at};
   }
 
   const WheelOnRail& pair_;

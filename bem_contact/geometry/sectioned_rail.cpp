@@ -143,6 +143,12 @@ Vector3 SectionedRail::point(double x, const ContactRow& row) const {
   return {x, p.y, p.z};
 }
 
+SectionedRail::OnBody SectionedRail::on_body(double x, const ContactRow& row) const {
+  const auto at = found(x, row);
+  const auto [u, t] = at ? *at : start(row);
+  return {u, surface_->body_of(t), surface_->on_body(t)};
+}
+
 SectionedRail::Direction SectionedRail::direction(double x, const ContactRow& row) const {
   const auto at = found(x, row);
   const Seen p = seen(at ? *at : start(row));

@@ -40,6 +40,14 @@ public:
   /// The same point of the rail, in the frame, mm; without a rail that of the prism.
   Vector3 point(double x, const ContactRow& row) const;
 
+  /// Where that point is on the surface of its body; without a rail the nearest that there is.
+  struct OnBody {
+    double u = 0; ///< place along the track, mm
+    int body = 0; ///< as body_of()
+    double t = 0; ///< across, on that body (SectionedSurface), mm
+  };
+  OnBody on_body(double x, const ContactRow& row) const;
+
   /// Unit vector in the rail's surface over a point of the frame that lies ahead of it, track frame: the
   /// rolling direction, projected. And by how much a wheel that rolls along it moves down, over V.
   struct Direction {

@@ -180,6 +180,9 @@ void write(H5Id, const char*, const std::string&) {
 void write(H5Id, const Table&) {
   refuse();
 }
+void write(H5Id, const FloatTable&) {
+  refuse();
+}
 
 void read(H5Id at, const char* name, double& value) {
   value = entry<double>(at, name);
@@ -196,6 +199,11 @@ void read(H5Id at, const char* name, std::string& value) {
 
 std::vector<double> read_table(H5Id at, const char* name, Shape shape) {
   return table_of(at, name, shape).values;
+}
+
+std::vector<float> read_floats(H5Id at, const char* name, Shape shape) {
+  const std::vector<double>& values = table_of(at, name, shape).values;
+  return {values.begin(), values.end()};
 }
 
 std::vector<double> read_columns(H5Id at, const char* name, Shape shape, std::span<const Columns> runs) {

@@ -117,6 +117,18 @@ void read(hid_t at, const char* name, std::string& value) {
   value = *text;
 }
 
+void write(hid_t at, const FloatTable& table) {
+  const char* name = table.name;
+  const Extents shape(table.shape.begin(), table.shape.end());
+  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, name);
+  const Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
+  check(H5Pset_obj_track_times(list, false) >= 0, name);
+  const Handle set(H5Dcreate2(at, name, H5T_IEEE_F32LE, space, H5P_DEFAULT, list, H5P_DEFAULT), H5Dclose,
+                   name);
+  check(H5Dwrite(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.values.data()) >= 0, name);
+  write(set, "unit", std::string(table.unit));
+}
+
 void write(hid_t at, const Table& table) {
   const char* name = table.name;
   const Extents shape(table.shape.begin(), table.shape.end());
@@ -142,6 +154,14 @@ std::vector<double> read_table(hid_t at, const char* name, Shape wanted) {
   std::vector<double> values(
       std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<hsize_t>()));
   check(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, name);
+  return values;
+}
+
+std::vector<float> read_floats(hid_t at, const char* name, Shape wanted) {
+  const auto [set, shape] = open_table(at, name, std::move(wanted));
+  std::vector<float> values(
+      std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<hsize_t>()));
+  check(H5Dread(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, name);
   return values;
 }
 

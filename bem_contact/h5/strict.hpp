@@ -53,8 +53,18 @@ struct Table {
 };
 void write(H5Id at, const Table& table);
 
+/// The same of single precision, whole.
+struct FloatTable {
+  const char* name;
+  Shape shape;
+  std::span<const float> values;
+  const char* unit;
+};
+void write(H5Id at, const FloatTable& table);
+
 /// Reads a table of that shape; an extent of 0 stands for any.
 std::vector<double> read_table(H5Id at, const char* name, Shape shape);
+std::vector<float> read_floats(H5Id at, const char* name, Shape shape);
 /// Columns first .. first + count - 1 of a table.
 struct Columns {
   Extent first, count;

@@ -7,6 +7,7 @@
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/lower_triangle.hpp"
 #include "bem_contact/influence/packed_file.hpp"
+#include "bem_contact/influence/stress_kernel_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -49,13 +50,16 @@ template <class Function, class Entry> void for_each_scalar(Function& f, Entry&&
   entry("estimated_error", f.estimated_error);
 }
 
-int format_minor_of(const InfluenceStrip& f) {
+int format_minor_of(const InfluenceStrip& f, const StressKernel& stresses) {
+  if (!stresses.empty())
+    return stress_format_minor;
   return f.is_table() ? table_format_minor : influence_format_minor;
 }
 
-void write_contents(H5Id root, const InfluenceFunction& f, strict_h5::Layout chunks) {
+void write_contents(H5Id root, const InfluenceFunction& f, const StressKernel& stresses,
+                    strict_h5::Layout chunks) {
   write(root, "format_major", influence_format_major);
-  write(root, "format_minor", format_minor_of(f));
+  write(root, "format_minor", format_minor_of(f, stresses));
   for_each_scalar(f, [&](const char* name, const auto& value) { write(root, name, value); });
   write(root, "invariance",
         std::string(f.invariance == Invariance::revolution ? revolution_name : prismatic_name));
@@ -81,6 +85,7 @@ void write_contents(H5Id root, const InfluenceFunction& f, strict_h5::Layout chu
   write(root, {"kernel", {nk, lower_size(n)}, kernel, "mm/MPa", chunks});
   write(root, {"remote", {nk, 6, n}, f.remote, "mm/MPa, 1/MPa", chunks});
   write(root, {"remote_self", {nk, 6, 6}, f.remote_self, "mm/MPa and per mm of each rotation"});
+  write_stress_kernel(root, stresses, ns);
 }
 
 InfluenceStrip read_strip(H5Id root, const std::filesystem::path& file) {
@@ -214,22 +219,41 @@ double InfluenceFile::megabytes() const {
 namespace {
 
 void write_sealed(const std::filesystem::path& file, const InfluenceFunction& function,
-                  strict_h5::Layout chunks) {
+                  const StressKernel& stresses, strict_h5::Layout chunks) {
   validate(function);
+  validate(stresses, function.station_count());
   const QuietHdf5 quiet;
-  const H5Image image({.user_block = seal_size}, [&](H5Id root) { write_contents(root, function, chunks); });
-  seal(std::as_writable_bytes(image.bytes()), influence_format_major, format_minor_of(function));
+  const H5Image image({.user_block = seal_size},
+                      [&](H5Id root) { write_contents(root, function, stresses, chunks); });
+  seal(std::as_writable_bytes(image.bytes()), influence_format_major, format_minor_of(function, stresses));
   write_whole(file, [&](std::ostream& out) { out << image; });
 }
 
 } // namespace
 
 void write_influence_file(const std::filesystem::path& file, const InfluenceFunction& function) {
-  write_sealed(file, function, strict_h5::Layout::chunks);
+  write_influence_file(file, function, {});
+}
+
+void write_influence_file(const std::filesystem::path& file, const InfluenceFunction& function,
+                          const StressKernel& stresses) {
+  write_sealed(file, function, stresses, strict_h5::Layout::chunks);
 }
 
 void write_packed_influence_file(const std::filesystem::path& file, const InfluenceFunction& function) {
-  write_sealed(file, rounded(function), strict_h5::Layout::packed);
+  write_packed_influence_file(file, function, {});
+}
+
+void write_packed_influence_file(const std::filesystem::path& file, const InfluenceFunction& function,
+                                 const StressKernel& stresses) {
+  write_sealed(file, rounded(function), stresses, strict_h5::Layout::packed);
+}
+
+StressKernel read_stress_kernel(const std::filesystem::path& file) {
+  check_seal(file, influence_format_major);
+  const QuietHdf5 quiet;
+  const strict_h5::Handle root = strict_h5::open_file(file);
+  return read_stress_kernel(root, read_strip(root, file).station_count());
 }
 
 } // namespace bem_contact

@@ -17,4 +17,14 @@ BEM_CONTACT_TUNED(double, passage_margin, 1.0);
 /// be. Chosen.
 BEM_CONTACT_TUNED(double, block_margin, 2.5);
 
+/// 1. Terms of a body's Fourier series along x that are taken as they are; the others are an integral over
+/// wavenumbers.
+BEM_CONTACT_TUNED(int, lowest_waves, 8);
+/// 1 (over the least depth). The largest wavenumber of stresses: what is above it has decayed at this depth
+/// to 4 % of an amplitude that is a hundredth itself.
+BEM_CONTACT_TUNED(double, largest_wavenumber_times_depth, 5);
+/// 1 (width of a station). The least depth at which a body is solved for: nearer to the surface the mesh
+/// shows, and the more wavenumbers are needed the nearer it is.
+BEM_CONTACT_TUNED(double, least_depth_of_station, 1.5);
+
 } // namespace bem_contact::inside

@@ -5,6 +5,8 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/base/told_program.hpp"
+#include "bem_contact/influence/file_seal.hpp"
+#include "bem_contact/inside/stresses_by_file.hpp"
 #include "bem_contact/record/hdf5.hpp"
 
 #include <fmt/format.h>
@@ -35,7 +37,15 @@ void stresses_in_body(const std::vector<std::filesystem::path>& results, const s
                       const std::function<void(std::size_t, StressesInside)>& take) {
   if (!is_regular(body))
     throw InputError(fmt::format("There is no body file '{}'", body.string()), "no file has this name",
-                     "Give one like data/bodies/small_rail.toml.");
+                     "Give one like data/bodies/small_rail.toml, or an influence file with stresses.");
+  if (begins_with_seal(body)) {
+    const FileOfStresses file(body);
+    const std::vector<BelowSurface> own =
+        points.empty() ? std::vector<BelowSurface>{} : read_points_below(points);
+    for (std::size_t i = 0; i < results.size(); ++i)
+      take(i, stresses_by_file(record::read_hdf5(results[i]), file, own));
+    return;
+  }
   const TemporaryFolder folder;
   const std::string mesh = (folder / "body.msh").string();
   run("mesh_body", {body.string(), "-o", mesh}, body, folder);

@@ -11,8 +11,9 @@ namespace bem_contact::inside {
 
 /// The stresses of a result (bem_contact solve -o) inside the real body of a body file, with those of the
 /// half-space beside them: the programs mesh_body and fem_influence beside this one, or on PATH, compute
-/// them. `points`: a file of points of one's own; "": those below each patch. Throws InputError where a
-/// program is missing, or refuses the body.
+/// them. Or of the body of an influence file that has stresses (stresses_by_file.hpp), without any program.
+/// `points`: a file of points of one's own; "": those below each patch. Throws InputError where a program is
+/// missing, or refuses the body.
 StressesInside stresses_in_body(const std::filesystem::path& result, const std::filesystem::path& body,
                                 const std::string& points = "");
 

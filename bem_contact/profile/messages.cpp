@@ -39,14 +39,18 @@ std::shared_ptr<spdlog::logger>& own_logger() {
   return own;
 }
 
-} // namespace
-
-std::shared_ptr<spdlog::logger> messages() {
+std::shared_ptr<spdlog::logger> logger() {
   if (collecting)
     return collecting;
   if (std::shared_ptr<spdlog::logger> set = spdlog::default_logger(); set && !set->name().empty())
     return set;
   return own_logger();
+}
+
+} // namespace
+
+void say(Importance importance, const std::string& text) {
+  logger()->log(importance == Importance::warning ? spdlog::level::warn : spdlog::level::info, "{}", text);
 }
 
 void send_messages_to(std::shared_ptr<spdlog::logger> logger) {

@@ -1,19 +1,34 @@
 #pragma once
 
+#include <fmt/format.h>
 #include <memory>
-#include <spdlog/logger.h>
 #include <string>
+#include <utility>
 #include <vector>
+
+namespace spdlog {
+class logger;
+} // namespace spdlog
 
 namespace bem_contact {
 
-/// Where warnings of profiles go: to who collects them on this thread, else to spdlog's default logger if the
-/// host has set one, else to standard error. spdlog's own default is standard output, which belongs to the
-/// host: a Python or C program may write its results there.
-std::shared_ptr<spdlog::logger> messages();
+enum class Importance { information, warning };
 
-/// Sends them to another logger where the host has set none: a module whose own host has one of another kind.
-/// To be called before anything else is.
+/// Goes to who collects messages on this thread, else to spdlog's default logger if the host has set one,
+/// else to standard error. spdlog's own default is standard output, which belongs to the host: a Python or C
+/// program may write its results there.
+void say(Importance importance, const std::string& text);
+
+/// Text and values as fmt::format() takes them.
+template <typename... Values> void say_warning(fmt::format_string<Values...> text, Values&&... values) {
+  say(Importance::warning, fmt::format(text, std::forward<Values>(values)...));
+}
+template <typename... Values> void say_info(fmt::format_string<Values...> text, Values&&... values) {
+  say(Importance::information, fmt::format(text, std::forward<Values>(values)...));
+}
+
+/// Sends messages to another logger where the host has set none: a module whose own host has one of another
+/// kind. To be called before anything else is.
 void send_messages_to(std::shared_ptr<spdlog::logger> logger);
 
 /// Keeps what this thread says while it lives, in place of printing it: a window shows it itself.

@@ -93,17 +93,16 @@ void warn_of_noise(const std::string& source, const MeasuredProfile& p, ProfileK
       "(smoothing = {:.2g} removes it{})",
       source, 1e3 * p.noise.scatter, p.noise.spacing, waves_text(p.noise), 1 / p.noise.bending,
       p.noise.pressure, p.noise.smoothing, better);
-  messages()->warn("{}", advice.noise_text);
+  say_warning("{}", advice.noise_text);
 }
 
 void warn_of_outliers(const std::string& source, const std::vector<Outlier>& outliers) {
   for (std::size_t i = 0; i < std::min(outliers.size(), most_named_outliers); ++i)
-    messages()->warn(
-        "{}: the point y = {:.4g}, z = {:.4g} lies {:.2g} mm off the line of its neighbours: a curve "
-        "through it has a bump there (dirt, or a fault of the measurement?) Take the point out.",
-        source, outliers[i].point.y, outliers[i].point.z, outliers[i].distance);
+    say_warning("{}: the point y = {:.4g}, z = {:.4g} lies {:.2g} mm off the line of its neighbours: a curve "
+                "through it has a bump there (dirt, or a fault of the measurement?) Take the point out.",
+                source, outliers[i].point.y, outliers[i].point.z, outliers[i].distance);
   if (outliers.size() > most_named_outliers)
-    messages()->warn("{}: and {} more such points", source, outliers.size() - most_named_outliers);
+    say_warning("{}: and {} more such points", source, outliers.size() - most_named_outliers);
 }
 
 void warn_of_worn_side(const std::string& source, std::span<const Point2> points, bool mirror,
@@ -116,7 +115,7 @@ void warn_of_worn_side(const std::string& source, std::span<const Point2> points
       "{}: its field side (y > 0) is worn by some {:.2g} mm more than its gauge side, and rails wear on "
       "the gauge side: does y of the file point there? (mirror = {} turns it)",
       source, worn, !mirror);
-  messages()->warn("{}", advice.mirror_text);
+  say_warning("{}", advice.mirror_text);
 }
 
 /// The nominal profile that `reading` names.
@@ -129,19 +128,18 @@ ProfileCurve nominal_profile(const std::string& name, ProfileKind kind, const st
 }
 
 void report_smoothing(const std::string& source, const MeasuredProfile& p) {
-  messages()->info(
-      "{}: smoothed, waves shorter than {} mm removed: {:.2g} um root mean square, {:.2g} um at most", source,
-      wavelength_text(p), 1e3 * p.removed_rms, 1e3 * p.removed_most);
+  say_info("{}: smoothed, waves shorter than {} mm removed: {:.2g} um root mean square, {:.2g} um at most",
+           source, wavelength_text(p), 1e3 * p.removed_rms, 1e3 * p.removed_most);
 }
 
 void warn_of_smoothing(const std::string& source, const MeasuredProfile& p) {
   if (p.smoothing < least_smoothing_share * p.noise.smoothing)
-    messages()->warn("{}: smoothing = {:g} leaves noise: for {} use {:.2g}", source, p.smoothing,
-                     p.noise.waves > 0 ? fmt::format("waves of {:.2g} um", 1e3 * p.noise.waves)
-                                       : fmt::format("a scatter of {:.2g} um", 1e3 * p.noise.scatter),
-                     p.noise.smoothing);
+    say_warning("{}: smoothing = {:g} leaves noise: for {} use {:.2g}", source, p.smoothing,
+                p.noise.waves > 0 ? fmt::format("waves of {:.2g} um", 1e3 * p.noise.waves)
+                                  : fmt::format("a scatter of {:.2g} um", 1e3 * p.noise.scatter),
+                p.noise.smoothing);
   if (p.takes_shape_away())
-    messages()->warn(
+    say_warning(
         "{}: smoothing = {:g} takes shape away: it moved points by {:.2g} um (root mean square), and their "
         "noise is {:.2g} um: use {}",
         source, p.smoothing, 1e3 * p.removed_rms, 1e3 * std::hypot(p.noise.scatter, p.noise.waves),
@@ -162,9 +160,9 @@ MeasuredProfile smoothed_profile(const std::string& source, std::span<const Poin
   }
   WornNominal worn = worn_from_nominal(nominal_profile(reading.nominal, kind, source), points, noise.as_white,
                                        reading.smoothing, source);
-  messages()->info("{}: {}", source, worn_text(worn));
+  say_info("{}: {}", source, worn_text(worn));
   if (!worn.doubt.empty())
-    messages()->warn(
+    say_warning(
         "{}: {} does not fit ({}). Name the profile from which it was made, or leave out nominal and give "
         "smoothing.",
         source, worn.nominal, worn.doubt);
@@ -176,8 +174,8 @@ MeasuredProfile smoothed_profile(const std::string& source, std::span<const Poin
 /// A standard's name means the standard, whatever lies in the folder.
 void warn_of_hidden_file(const std::string& name, const std::filesystem::path& folder) {
   if (const std::filesystem::path file = folder / name; file_exists(file))
-    messages()->warn("{} is the standard profile; the file {} of this name is not read (\"./{}\" reads it)",
-                     name, file.string(), name);
+    say_warning("{} is the standard profile; the file {} of this name is not read (\"./{}\" reads it)", name,
+                file.string(), name);
 }
 
 } // namespace
@@ -203,10 +201,9 @@ MeasuredProfile parse_measured_profile(std::string_view text, std::string_view s
     warn_of_worn_side(source, points, reading.mirror, advice);
   const ProfileNoise noise = measure_noise(points);
   if (noise.coarse)
-    messages()->warn(
-        "{}: {} points, {:.2g} mm apart: too few for a curved profile (arcs of rails and wheels have "
-        "radii down to 13 mm). Give points at most {:g} mm apart.",
-        source, points.size(), noise.spacing, coarsest_spacing);
+    say_warning("{}: {} points, {:.2g} mm apart: too few for a curved profile (arcs of rails and wheels have "
+                "radii down to 13 mm). Give points at most {:g} mm apart.",
+                source, points.size(), noise.spacing, coarsest_spacing);
   std::vector<Outlier> off = outliers(points, noise.scatter);
   warn_of_outliers(source, off);
   if (reading.smoothing == 0 && reading.nominal.empty()) {
@@ -248,8 +245,8 @@ std::optional<ProfileKind> kind_of_ending(const std::filesystem::path& file) {
 MeasuredProfile measured_profile(const std::filesystem::path& file, ProfileKind kind,
                                  const ProfileReading& reading, int part) {
   if (const auto its = kind_of_ending(file); its && *its != kind)
-    messages()->warn("{}: read as the profile of a {}, but {} is the ending of {} profiles", file.string(),
-                     name_of(kind), file.extension().string(), name_of(*its));
+    say_warning("{}: read as the profile of a {}, but {} is the ending of {} profiles", file.string(),
+                name_of(kind), file.extension().string(), name_of(*its));
   return parse_measured_profile(read_text_file(file.string(), "profile file"), file.string(), kind, reading,
                                 part);
 }

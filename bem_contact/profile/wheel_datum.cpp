@@ -45,7 +45,7 @@ std::optional<double> height_at_tape_circle(std::span<const Point2> p) {
 void warn_of_height(std::span<const Point2> points, const std::string& source) {
   const auto height = height_at_tape_circle(points);
   if (height && std::abs(*height) > highest_tape_circle)
-    messages()->warn(
+    say_warning(
         "{}: at the tape circle z is {:.3g} mm: the wheel's radius there is position.wheel_radius and "
         "that much more",
         source, *height);
@@ -75,7 +75,7 @@ void warn_of_back(std::span<const Point2> points, double y_sign, const std::stri
   const auto back = tip ? steep_back(points, *tip) : std::nullopt;
   if (!back || std::abs(*back + tape_circle) <= usual_back)
     return;
-  messages()->warn(
+  say_warning(
       "{}: the flange ends in a steep face at y = {:.1f} mm of the file, and where y = 0 is at the tape "
       "circle its back is at {:g} mm: is this the back? (wheel.flange_back = {:.1f} puts it at its place; "
       "{:g} says that y is as it should be)",
@@ -109,13 +109,13 @@ void set_wheel_datum(std::vector<Point2>& points, double y_sign, const std::stri
   if (reading.flange_back) {
     move(y_sign * *reading.flange_back);
   } else if (tip && tip->y >= nearest_tip_to_back && tip->y <= farthest_tip_from_back) {
-    messages()->warn(
+    say_warning(
         "{}: the tip of the flange is at y = {:.1f} mm, so y = 0 is taken as the back of the flange, not "
         "as the tape circle (wheel.flange_back = 0 says so; another value says otherwise)",
         source, y_sign * tip->y);
     move(0);
   } else if (tip && (tip->y < lowest_tip || tip->y > highest_tip)) {
-    messages()->warn(
+    say_warning(
         "{}: the tip of the flange is at y = {:.1f} mm, where neither the tape circle nor the back of the "
         "flange is at y = 0: the wheel stands {:.0f} mm beside its place (say wheel.flange_back)",
         source, y_sign * tip->y, std::abs(tip->y - usual_tip));

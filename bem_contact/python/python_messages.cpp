@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <pybind11/pybind11.h>
+#include <spdlog/logger.h>
 #include <spdlog/sinks/sink.h>
 #include <string>
 

@@ -55,8 +55,9 @@ void add_shakedown(py::module_& module) {
       "default that of a steel with this Dang Van's a; `in_plane`: without residual shear along the track; "
       "`initial_stress`: a CSV file with residual and thermal stress of the body (depth, perhaps s, mm; any "
       "of "
-      "xx, ss, nn, xs, xn, sn, MPa), which first yield and fatigue feel; `body`: a body file, to take the "
-      "stresses inside that rail or wheel (by mesh_body and fem_influence) and not those of a half-space.");
+      "xx, ss, nn, xs, xn, sn, MPa), which first yield and fatigue feel; `body`: an influence file with "
+      "stresses, or a body file (by mesh_body and fem_influence), to take the stresses inside that rail or "
+      "wheel and not those of a half-space.");
 }
 
 } // namespace bem_contact

@@ -128,6 +128,7 @@ py::object sweep(const py::object& scene, const py::object& changes, const py::o
                                                  : std::filesystem::absolute(path_of(output)),
                                 shared ? task::most_portions : 1};
   const SweepFile file = asked.sweep();
+  columns_of(file); // refuses derivatives that are no columns
   check_cases(file, file.all());
   with_model(file.first_scene(), asked.model); // refuses what is no model
   std::size_t done = 0;

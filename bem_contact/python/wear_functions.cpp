@@ -83,12 +83,27 @@ py::dict wear_of(const PythonResult& result, const std::string& law, double hard
 
 using States = std::vector<wear::WornPair>; ///< by step, the unworn one first
 
-py::array_t<double> points_of(const States& states, wear::WornBody wear::WornPair::*body) {
-  py::array_t<double> out({states.size(), (states.front().*body).points.size(), std::size_t(2)});
+/// `of`: the points of a profile in one of the states.
+template <class Of> py::array_t<double> points_of(const States& states, const Of& of) {
+  py::array_t<double> out({states.size(), of(states.front())->size(), std::size_t(2)});
   double* at = out.mutable_data();
   for (const wear::WornPair& state : states)
-    for (const Point2& p : (state.*body).points)
+    for (const Point2& p : *of(state))
       *at++ = p.y, *at++ = p.z;
+  return out;
+}
+
+/// Of a rail of sections: each with its place, what is gone from it in the end, and its profiles by step.
+py::list sections_of(const States& states) {
+  py::list out;
+  const std::vector<wear::SectionRow> rows = wear::section_rows(states.back().sections);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    py::dict one;
+    for (const auto& column : wear::section_columns())
+      one[py::str(column.name)] = column.value(rows[i]);
+    one["profile"] = points_of(states, [i](const wear::WornPair& p) { return &p.sections[i].worn.points; });
+    out.append(std::move(one));
+  }
   return out;
 }
 
@@ -154,8 +169,12 @@ py::dict wear_under(const NoResult& scene, double depth, const py::object& model
   for (const wear::WornPair& state : states)
     rows.push_back(
         wear::history_row(static_cast<int>(rows.size()), state, study.scene().position.wheel_radius));
-  py::dict out("rail"_a = points_of(states, &wear::WornPair::rail),
-               "wheel"_a = points_of(states, &wear::WornPair::wheel));
+  py::dict out;
+  if (states.front().sections.empty())
+    out["rail"] = points_of(states, [](const wear::WornPair& p) { return &p.rail.points; });
+  else
+    out["sections"] = sections_of(states);
+  out["wheel"] = points_of(states, [](const wear::WornPair& p) { return &p.wheel.points; });
   out.attr("update")(columns_of(record::table_of("step", wear::wear_columns(), rows)));
   return out;
 }
@@ -209,7 +228,9 @@ void add_wear_functions(py::module_& module) {
       "`revolutions`, `mileage` (km), `rail_depth`, `wheel_depth` (mm), `rail_area`, `wheel_area` (gone from "
       "the section, mm2), `smoothing` (mm) and `smoothed_off` (what that took of the deepest place, 1) of "
       "each "
-      "step, and the profiles `rail`, `wheel` [step][point][y, z] (own frame, z down, mm). "
+      "step, and the profiles `rail`, `wheel` [step][point][y, z] (own frame, z down, mm). A rail of "
+      "sections has instead of `rail` a list `sections`, one dict each: `at` (mm along the track), `body`, "
+      "`depth` (mm), `area` (mm2) and `profile` [step][point][y, z]. "
       "More options, with the names and defaults of the command's: `law`, `hardness` (MPa), `speed` (mm/s), "
       "`body`: both, rail or wheel; `cap`, `smoothing` (mm), `passages`, `kept_turn` (rad). "
       "Nothing is kept on disk: a study that is to go on after it was stopped belongs to the "

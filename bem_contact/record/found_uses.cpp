@@ -127,6 +127,21 @@ std::string damage_text(const Record& r) {
       most ? text_of(*stated_at(r, "patches/T_gamma", *most)) : "none");
 }
 
+/// Where along the track the surface suffers most, if the cases are at several places.
+std::string worst_place_text(const Record& r) {
+  const std::span<const double> along = values_at(r, "patches/along");
+  const auto most = largest_of(r, "patches/FI_surf"), damage = largest_of(r, "patches/damage");
+  if (along.empty() || !most || !damage || std::ranges::count(along, along[0]) == std::ssize(along))
+    return "";
+  const auto at = [&](const char* path, std::size_t row) { return text_of(*stated_at(r, path, row)); };
+  std::string of_damage;
+  if (values_at(r, "patches/damage")[*damage] > 0)
+    of_damage = fmt::format(", and the damage by T-gamma is largest at {} ({})", at("patches/along", *damage),
+                            at("patches/damage", *damage));
+  return fmt::format("Along the track the surface suffers most at {} (FI_surf {}){}.",
+                     at("patches/along", *most), at("patches/FI_surf", *most), of_damage);
+}
+
 std::string as_sentence(std::string_view words) {
   std::string out(words);
   out.front() = char(std::toupper(static_cast<unsigned char>(out.front())));
@@ -283,6 +298,11 @@ Found of_wear(const Record& r) {
                            at("wheel_area")),
                fmt::format("This was computed in {}.", counted(std::ptrdiff_t(last), "step", "steps"))},
               {}};
+  if (const auto most = largest_of(r, "stretch/depth")) { // along the track
+    found.sentences[0] += " Along the rail that is at " + text_of(*stated_at(r, "stretch/at", *most)) + ".";
+    found.next = {{"What does the next wheel do there?", "bem_contact sweep scene_NNNN.toml -o S.h5"}};
+    return found;
+  }
   found.next = {{"Where do the worn profiles touch? Give rail_NNNN.txt and wheel_NNNN.txt to bem_contact new "
                  "or profile."}};
   return found;
@@ -302,6 +322,7 @@ Found of_contact_wear(const Record& r) {
 
 Found of_fatigue(const Record& r) {
   Found found{{cracks_text(r), damage_text(r)}, {}};
+  add_if(found.sentences, worst_place_text(r));
   if (const auto most = largest_of(r, "patches/von_mises"))
     found.sentences.push_back(fmt::format("The largest von Mises stress is {}, {} deep; k is {}.",
                                           text_of(*stated_at(r, "patches/von_mises", *most)),

@@ -1,20 +1,22 @@
 // Figures of one contact. One colour has one meaning on the whole page; line styles and marks say the same without it.
-const INK = "#1c2733", RAIL = "#5b6f82", RAIL_FACE = "#a9b6c3", RAIL_LIGHT = "#edf1f5", WHEEL = "#b4533c",
+import {valueOf} from "./numbers.js";
+
+export const INK = "#1c2733", RAIL = "#5b6f82", RAIL_FACE = "#a9b6c3", RAIL_LIGHT = "#edf1f5", WHEEL = "#b4533c",
       ADHESION = "#d95f02", BOUND = "#8a949e";
-const ALONG_X = "#6a3d9a", ALONG_S = "#1b7f79";
-const PRESSURE = [[0, "#eef4fb"], [1, "#3b7cc4"]];
-const STRESS = [[0, "#ffffff"], [1, "#7a7a7a"]];
+export const ALONG_X = "#6a3d9a", ALONG_S = "#1b7f79";
+export const PRESSURE = [[0, "#eef4fb"], [1, "#3b7cc4"]];
+export const STRESS = [[0, "#ffffff"], [1, "#7a7a7a"]];
 const EXTERIOR = 0, ADHERES = 1, SLIPS = 2;
 const MOST_SLENDER = 15; // length over width of a patch that is drawn in its proportions, with arrows
 
 /// Row-major values as rows.
-const rows = data => {
+export const rows = data => {
   const [count, width] = data.shape;
   return Array.from({length: count}, (_, i) => data.values.slice(i * width, (i + 1) * width));
 };
 
 /// What the figures need of a result.
-const contactOf = (name, group) => ({
+export const contactOf = (name, group) => ({
   name, group,
   x: group.x.values, s: group.s.values, y: group.y?.values, z: group.z?.values,
   delta: group.delta?.values, dx: valueOf(group.quantities, "dx"), ds: valueOf(group.quantities, "ds"),
@@ -32,12 +34,13 @@ const flat = contact => {
 };
 
 /// Whether wheel and rail can be shown in place.
-const isShaped = contact => Boolean(contact.rail && contact.wheel && contact.y && contact.delta) && !flat(contact);
+export const isShaped = contact =>
+  Boolean(contact.rail && contact.wheel && contact.y && contact.delta) && !flat(contact);
 
-const sideways = contact => `y to the ${contact.left ? "left" : "right"}, mm`;
+export const sideways = contact => `y to the ${contact.left ? "left" : "right"}, mm`;
 
 /// Indices of the first and last row and column in contact; undefined without contact.
-const extent = contact => {
+export const extent = contact => {
   const found = [];
   contact.state.forEach((row, i) => row.forEach((state, j) => { if (state !== EXTERIOR) found.push([i, j]); }));
   if (!found.length)
@@ -47,7 +50,7 @@ const extent = contact => {
 };
 
 /// Row and column of the largest pressure.
-const peak = contact => {
+export const peak = contact => {
   let at = [0, 0];
   contact.pn.forEach((row, i) => row.forEach((p, j) => { if (p > contact.pn[at[0]][at[1]]) at = [i, j]; }));
   return at;
@@ -79,7 +82,7 @@ const hatching = contact => {
 };
 
 /// What arrows may show.
-const ARROWS = {
+export const ARROWS = {
   shear: {
     title: "shear traction on the rail",
     fields: ["px", "ps"],
@@ -117,7 +120,7 @@ const arrows = (contact, window, fields) => {
 };
 
 /// The patch from above the rail: pressure, adhesion and slip, and arrows.
-const patchFigure = (contact, shown = "shear") => {
+export const patchFigure = (contact, shown = "shear") => {
   const window = extent(contact);
   if (!window)
     return undefined;
@@ -128,6 +131,7 @@ const patchFigure = (contact, shown = "shear") => {
   const x = range(contact.x, window.columns, contact.dx), s = range(contact.s, window.rows, contact.ds);
   const proportion = (s[1] - s[0]) / (x[1] - x[0]), slender = Math.max(proportion, 1 / proportion) > MOST_SLENDER;
   const arrow = slender ? {longest: 0} : arrows(contact, window, ARROWS[shown].fields);
+  /** @type {object[]} */
   const traces = [{type: "heatmap", x: contact.x, y: contact.s, z: pressure, colorscale: PRESSURE, zmin: 0,
                    colorbar: {title: {text: "pressure, MPa", side: "right"}, thickness: 14}, hoverongaps: false,
                    hovertemplate: "x %{x:.3f} mm<br>s %{y:.3f} mm<br>%{z:.1f} MPa<extra></extra>"}];
@@ -150,7 +154,7 @@ const patchFigure = (contact, shown = "shear") => {
 };
 
 /// Traction and friction bound along one line through the largest pressure; `along`: "x" or "s".
-const cutFigure = (contact, along) => {
+export const cutFigure = (contact, along) => {
   const [row, column] = peak(contact);
   const of = field => along === "x" ? field[row] : field.map(line => line[column]);
   const [at, pn, px, ps] = [contact[along], of(contact.pn), of(contact.px), of(contact.ps)];
@@ -171,7 +175,7 @@ const cutFigure = (contact, along) => {
 };
 
 /// Both profiles at the contact, looking along the track.
-const sectionFigure = contact => {
+export const sectionFigure = contact => {
   const line = (points, name, style) => ({type: "scatter", mode: "lines", x: points.map(p => p[0]),
                                           y: points.map(p => p[1]), name, line: style});
   const touching = contact.state.map((row, i) => row.some(state => state !== EXTERIOR)
@@ -185,7 +189,7 @@ const sectionFigure = contact => {
 };
 
 /// The von Mises stress below the surface: a section through the largest one, or a line over depth.
-const stressFigure = ({x, s, depths, von_mises: stress}) => {
+export const stressFigure = ({x, s, depths, von_mises: stress}) => {
   const [count, rows, deep] = stress.shape, at = stress.values.indexOf(Math.max(...stress.values));
   const [i, j, k] = [Math.floor(at / (rows * deep)), Math.floor(at / deep) % rows, at % deep];
   const value = (l, m, n) => stress.values[(l * rows + m) * deep + n], depth = depths.values;
@@ -243,7 +247,7 @@ const stressFigure = ({x, s, depths, von_mises: stress}) => {
 
 /// Triangles of the surface through lines of points [x, y, z], two for each quadrangle that `shown` (of line and
 /// place) keeps.
-const triangles = (lines, shown = () => true) => {
+const triangles = (lines, shown = (_line, _place) => true) => {
   const width = lines[0].length, points = lines.flat(), mesh = {i: [], j: [], k: [], cells: []};
   for (let l = 0; l + 1 < lines.length; ++l)
     for (let m = 0; m + 1 < width; ++m)
@@ -278,7 +282,7 @@ const plainSurface = (lines, name, color, opacity) => ({
   lighting: {ambient: 0.8, diffuse: 0.3, specular: 0}});
 
 /// Wheel and rail in place, with the pressure on the patch. `radius`: of the wheel at the contact; undefined: no wheel.
-const solidFigure = (contact, radius) => {
+export const solidFigure = (contact, radius) => {
   const window = extent(contact), [row, column] = peak(contact);
   const width = Math.max(...contact.rail.map(p => p[0])) - Math.min(...contact.rail.map(p => p[0]));
   const half = Math.max(0.4 * width, ...window.columns.map(k => 1.5 * Math.abs(contact.x[k])));
@@ -288,6 +292,7 @@ const solidFigure = (contact, radius) => {
       contact.x[window.columns[1]] + contact.dx); // mm: the wheel is drawn behind the patch alone, which it would hide
   const span = Array.from({length: 13}, (_, k) => cut + (half - cut) * k / 12);
   const rail = thinned(contact.rail), wheel = thinned(contact.wheel);
+  /** @type {object[]} */
   const traces = [plainSurface(rail.map(([y, z]) => [-half, half].map(x => [x, y, z])), "rail", RAIL_LIGHT, 1)];
   const lineOf = (points, name, colour, width, dash) => ({
     type: "scatter3d", mode: "lines", x: points.map(p => p[0]), y: points.map(p => p[1]), z: points.map(p => p[2]),

@@ -1,5 +1,9 @@
 // Figures over many contacts: sweeps, creep curves and fits.
-const FORCES = {
+import {ALONG_S, ALONG_X, BOUND, INK, PRESSURE, RAIL, WHEEL} from "./contact_figures.js";
+import {number, ofEither, unitText, valueOf, words} from "./numbers.js";
+import {sceneValue} from "./scene_words.js";
+
+export const FORCES = {
   Fx: {colour: ALONG_X, dash: "solid", mark: "circle"},
   Fs: {colour: ALONG_S, dash: "dash", mark: "square"},
   Fy: {colour: ALONG_S, dash: "dash", mark: "square"},
@@ -11,15 +15,15 @@ const FORCES = {
 /// What a run's own contact model has, beside ours.
 const OF_RUN = {colour: BOUND, dash: "dot", mark: "x"};
 
-const lineOver = (x, y, name, {colour, dash, mark}, errors, cases) => ({
+export const lineOver = (x, y, name, {colour, dash, mark}, errors, cases) => ({
   type: "scatter", mode: "lines+markers", x, y, name, customdata: cases, line: {color: colour, width: 1.8, dash},
   marker: {symbol: mark, size: 6, color: colour},
   error_y: errors?.some(e => e > 0) ? {type: "data", array: errors, thickness: 1, width: 3} : undefined});
 
-const ABOVE = {orientation: "h", y: 1.02, yanchor: "bottom"};
+export const ABOVE = {orientation: "h", y: 1.02, yanchor: "bottom"};
 
 /// The forces over one creepage, with the bound of friction and the slopes of linear theory.
-const creepFigure = (data, which) => {
+export const creepFigure = (data, which) => {
   const curve = data.curves[which], x = curve.creepage.values, bound = valueOf(data, "bound"), traces = [];
   const column = ["xi", "eta", "phi"].indexOf(which), spans = [x[0], x[x.length - 1]];
   for (const y of [bound, -bound])
@@ -68,7 +72,7 @@ const creepFigure = (data, which) => {
 };
 
 /// A line of pressures: points as measured, and as computed there.
-const measuredPressuresFigure = ({points, attributes: {over}}) => {
+export const measuredPressuresFigure = ({points, attributes: {over}}) => {
   const at = points[over].values, order = at.map((_, i) => i).sort((a, b) => at[a] - at[b]);
   const along = name => order.map(i => points[name].values[i]);
   return {height: 340,
@@ -81,30 +85,31 @@ const measuredPressuresFigure = ({points, attributes: {over}}) => {
 };
 
 /// The time of a replay, carried along with its steps.
-const TIME = "note.time";
+export const TIME = "note.time";
 
 /// The keys that a sweep varies.
-const sweptKeys = data => Object.keys(data.patches ?? data)
+export const sweptKeys = data => Object.keys(data.patches ?? data)
     .filter(key => (data.patches ?? data)[key]?.role === "swept");
 
-const withUnit = (text, dataset) => dataset.unit && dataset.unit !== "1" ? `${text}, ${unitText(dataset.unit)}` : text;
-const titled = (name, dataset) => withUnit(words(name), dataset); // of a figure; columns of tables have short names
+export const withUnit = (text, {unit}) => unit && unit !== "1" ? `${text}, ${unitText(unit)}` : text;
+/// Of a figure; columns of tables have short names.
+export const titled = (name, dataset) => withUnit(words(name), dataset);
 
 /// Values of a key, or the cases' numbers.
 const along = (data, key) => key ? {...data[key], title: titled(key, data[key])}
                                  : {values: data.status.values.map((_, i) => i), title: "case"};
 
 /// The key to draw over: the first, if each case differs from some other in it alone; undefined: the cases' numbers.
-const leadingKey = (data, keys) => {
+export const leadingKey = (data, keys) => {
   const rest = new Set(data.status.values.map((_, i) => keys.slice(1).map(k => data[k].values[i]).join(" ")));
   return keys.length < 2 || rest.size < data.status.values.length ? keys[0] : undefined;
 };
 
 /// A value of a key that was swept over; of a text that text.
-const keyText = (dataset, i) => dataset.choices?.[dataset.values[i]]?.split("/").pop() ?? number(dataset.values[i]);
+export const keyText = ({choices, values}, i) => choices?.[values[i]]?.split("/").pop() ?? number(values[i]);
 
 /// Each patch as a bar over y, as wide as it is, one line a value of the key; its mark grows with the force.
-const patchesFigure = (data, key) => {
+export const patchesFigure = (data, key) => {
   const p = data.patches, largest = Math.max(...p.Fn.values);
   const half = p.y.values.map((_, k) => {
     const angle = p.axis_angle.values[k]; // from x towards s
@@ -143,7 +148,7 @@ const patchesFigure = (data, key) => {
 };
 
 /// Of a sweep along the track: each patch as the ellipse that it is, where it lies on the rail, from above.
-const passageFigure = data => {
+export const passageFigure = data => {
   const p = data.patches, places = data["position.along"].values, largest = Math.max(...p.pmax.values);
   const turn = Array.from({length: 25}, (_, i) => 2 * Math.PI * i / 24);
   const traces = p.case.values.map((index, k) => {
@@ -177,7 +182,7 @@ const passageFigure = data => {
 
 /// The same from the side: the places of contact, and how the wheel's centre goes, which z counts down from its highest
 /// place.
-const passageSideFigure = data => {
+export const passageSideFigure = data => {
   const p = data.patches, places = data["position.along"].values, order = places.map((_, i) => i);
   order.sort((a, b) => places[a] - places[b]);
   const known = order.filter(i => Number.isFinite(data.vertical.values[i]));
@@ -208,7 +213,7 @@ const passageSideFigure = data => {
 };
 
 /// Columns of a sweep over one key. Only cases that have the same other keys are joined.
-const sweepFigure = (data, keys, key, names) => {
+export const sweepFigure = (data, keys, key, names) => {
   const over = along(data, key), groups = new Map();
   over.values.forEach((_, i) => {
     const same = key

@@ -1,18 +1,22 @@
 // How any page is put together: elements, figures, errors of scripts, the plotting library.
-const page = document.getElementById("page");
-let into = page; // where add() puts what it makes
+import {INK} from "./contact_figures.js";
+
+export const page = document.getElementById("page");
+export let into = page; // where add() puts what it makes
 /// What `action` adds comes into this element.
-const inside = (element, action) => {
+export const inside = (element, action) => {
   const before = into;
   into = element;
   action();
   into = before;
   return element;
 };
-let idPrefix = ""; // of a part of a study: ids are unique
-const figures = []; // [element, figure]: drawn once the library is there
+export let idPrefix = ""; // of a part of a study: ids are unique
+export const prefixIds = prefix => { idPrefix = prefix; };
+/** @type {any[]} */
+export const figures = []; // [element, figure]: drawn once the library is there
 
-const failed = error => {
+export const failed = error => {
   const list = document.getElementById("script-errors");
   list.hidden = false;
   list.append(
@@ -21,11 +25,11 @@ const failed = error => {
 window.addEventListener("error", event => failed(event.message));
 window.addEventListener("unhandledrejection", event => failed(event.reason));
 
-const add = (kind, text = "", parent = into, more = {}) =>
+export const add = (kind, text = "", parent = into, more = {}) =>
     parent.appendChild(Object.assign(document.createElement(kind), {textContent: text}, more));
 
 /// `shape`: "wide" has a line of its own where others stand side by side.
-const addFigure = (id, caption, figure, shape = "") => {
+export const addFigure = (id, caption, figure, shape = "") => {
   if (!figure)
     return;
   const block = add("div", "", into, {className: `block ${shape}`.trim()});
@@ -36,17 +40,24 @@ const addFigure = (id, caption, figure, shape = "") => {
   figures.push([frame, figure]);
 };
 
+let firstFigure = ""; // id of what stands first
+export const isFirst = id => firstFigure === idPrefix + id;
+export const addFirstFigure = (id, ...more) => {
+  firstFigure = idPrefix + id;
+  addFigure(id, ...more);
+};
+
 /// The library is kept compressed in the page.
-const loadLibrary = async () => add("script", await (await unpacked("library")).text(), document.head);
+export const loadLibrary = async () => add("script", await (await unpacked("library")).text(), document.head);
 
 /// What pack_library.py has packed, as a Response.
-const unpacked = async id => {
+export const unpacked = async id => {
   const bytes = Uint8Array.from(atob(document.getElementById(id).textContent), c => c.charCodeAt(0));
-  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip")));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new window["DecompressionStream"]("gzip")));
 };
 
 /// The layout of a figure for the library, `width` px wide.
-const layoutOf = ({layout, height}, width) => {
+export const layoutOf = ({layout, height}, width) => {
   const axis = {
     automargin: true,
     showline: true,
@@ -63,7 +74,7 @@ const layoutOf = ({layout, height}, width) => {
       whole[name] = {...axis, ...layout[name], title: {text: layout[name].title, standoff: 6}};
   return whole;
 };
-const PLOT_OPTIONS = {displaylogo: false, modeBarButtonsToRemove: ["select2d", "lasso2d"]};
+export const PLOT_OPTIONS = {displaylogo: false, modeBarButtonsToRemove: ["select2d", "lasso2d"]};
 
 const PAPER = 700, GUTTER = 16; // px: a sheet of A4 within its margins, and between figures side by side
 let onPaper = false;
@@ -72,7 +83,7 @@ const widthOf = frame => onPaper ? isHalf(frame) ? (PAPER - GUTTER) / 2 : PAPER 
 /// On paper a study's parts stand side by side, too, and figures are flatter, so that an answer takes few sheets.
 const heightOf = (frame, height) => onPaper ? Math.min(height, isHalf(frame) ? 250 : 340) : height;
 
-const draw = async ([frame, figure]) => {
+export const draw = async ([frame, figure]) => {
   const drawing = frame.firstChild;
   const narrow = widthOf(frame) < 600; // px: its buttons would cover a legend
   const layout = {...layoutOf(figure, widthOf(frame)), height: heightOf(frame, figure.height)};
@@ -101,7 +112,7 @@ const fit = () => {
       Plotly.relayout(frame.firstChild, {width, height: heightOf(frame, height)});
   }
 };
-const followWidth = () => {
+export const followWidth = () => {
   addEventListener("resize", fit);
   addEventListener("beforeprint", () => {
     onPaper = true;
@@ -114,13 +125,13 @@ const followWidth = () => {
 };
 
 /// Saves a text as a file of the browser.
-const download = (blob, name) => {
+export const download = (blob, name) => {
   const link = add("a", "", document.body, {href: URL.createObjectURL(blob), download: name});
   link.click();
   link.remove();
   setTimeout(() => URL.revokeObjectURL(link.href), 60e3);
 };
-const csvOf = lines => lines
+export const csvOf = lines => lines
                            .map(
                                cells => cells
                                             .map(cell => {

@@ -1,6 +1,9 @@
 // Figures of profiles, influence files and meshes.
+import {ADHESION, BOUND, INK, PRESSURE, RAIL_FACE, WHEEL, rows} from "./contact_figures.js";
+import {ABOVE} from "./curve_figures.js";
+
 /// Profiles over y, the first in front: their heights, or their curvatures.
-const profilesFigure = (profiles, what) => {
+export const profilesFigure = (profiles, what) => {
   const first = profiles[0], heights = what === "z", sizes = first.curvature.map(Math.abs).sort((a, b) => a - b);
   const most = 1.3 * sizes[Math.floor(0.99 * (sizes.length - 1))] + 1e-4; // a kink does not flatten all else
   const looks =
@@ -15,7 +18,7 @@ const profilesFigure = (profiles, what) => {
 };
 
 /// The strip of an influence file in its section.
-const stripFigure = (stations, colour) => ({
+export const stripFigure = (stations, colour) => ({
   height: 360,
   traces: [{
     type: "scatter",
@@ -34,7 +37,7 @@ const stripFigure = (stations, colour) => ({
 });
 
 /// The smallest scaled Jacobian of each quadrilateral: the sine of a corner's angle, the worst corner.
-const jacobiansOf = (points, quads) => quads.map(quad => {
+export const jacobiansOf = (points, quads) => quads.map(quad => {
   const sines = quad.map((at, k) => {
     const [y, z] = points[at], side = to => [points[to][0] - y, points[to][1] - z],
               [a, b] = [side(quad[(k + 1) % 4]), side(quad[(k + 3) % 4])];
@@ -44,7 +47,7 @@ const jacobiansOf = (points, quads) => quads.map(quad => {
 });
 
 /// A meshed section: elements in thin lines, the strip and the held part in bold ones. `near`: the strip alone.
-const meshFigure = (data, near) => {
+export const meshFigure = (data, near) => {
   const points = rows(data.points), lines = groups => ({
                                       x: groups.flatMap(g => [...g.map(k => points[k][0]), null]),
                                       y: groups.flatMap(g => [...g.map(k => points[k][1]), null])
@@ -53,6 +56,7 @@ const meshFigure = (data, near) => {
     contact: [PRESSURE[1][1], "strip: unit tractions act here"],
     held: [ADHESION, "held: no displacement"]
   };
+  /** @type {object[]} */
   const traces = [{
     type: "scatter",
     mode: "lines",

@@ -1,5 +1,33 @@
 // The page of an answer: first what was found, with one picture, what to mind and what to do next; then figures; then
 // tables, folded; last what was asked. Then the figures are drawn.
+import {rows} from "./contact_figures.js";
+import {
+  add, addFigure, addFirstFigure, draw, failed, figures, followWidth, idPrefix, inside, into, isFirst, loadLibrary,
+  page, prefixIds
+} from "./drawing.js";
+import {linesOf, number, sentenceText, unitText, valueOf} from "./numbers.js";
+import {COMPARISON, RESULT, WHEELSET} from "./page_contact.js";
+import {
+  CONTACT_WEAR, GOOD_JACOBIAN, INFLUENCE_FILE, MESH, PROFILE, TABLE, USABLE_JACOBIAN, addDownloads, worstJacobian
+} from "./page_files.js";
+import {FATIGUE, SHAKEDOWN, STRESSES} from "./page_strength.js";
+import {CONICITY, CONICITY_MAP, CREEP_CURVES, FIT, SWEEP, WEAR} from "./page_uses.js";
+import {sceneInWords} from "./scene_words.js";
+import {data, report, show} from "./shown.js";
+import {addTable, warningsFound} from "./tables.js";
+
+const whole = JSON.parse(document.getElementById("data").textContent);
+const read = () => {
+  const {attributes: {kind, file}, parts = {}, steps = {}, scene_values} = whole;
+  const stepsOf = ([step, {rail, wheel}]) => ({step: Number(step), rail: rows(rail), wheel: rows(wheel)});
+  Object.assign(report, {kind, file, steps: Object.entries(steps).map(stepsOf)});
+  show({...whole.data, scene_values});
+  for (const [name, part] of Object.entries(parts))
+    data.parts[name].scene_values = part.scene_values;
+  if (data.profiles)
+    data.profiles = Object.values(data.profiles).map(({attributes: {name}, y, z, curvature}) =>
+      ({name, y: y.values, z: z.values, curvature: curvature.values}));
+};
 
 /// What each kind of answer shows. `picture`: [id, caption, figure] of what stands first; `warnings`: [title, contact]
 /// of those that may have some; `large`: numbers in large figures; `sure`: how far it is certified. All but `picture`
@@ -43,9 +71,6 @@ const TITLE_OF = {
   "influence file": "Influence functions",
   mesh: "Mesh of a body"
 };
-
-let firstPicture = ""; // id of the figure that stands first
-const isFirst = id => firstPicture === idPrefix + id;
 
 const folded = (title, id, fill, more = {}) => {
   const fold = add("details", "", into, {id: idPrefix + id, ...more});
@@ -100,8 +125,7 @@ const addFirst = ({found, next}, warnings, picture) => {
   });
   if (!picture)
     return;
-  firstPicture = idPrefix + picture[0];
-  inside(first, () => addFigure(...picture));
+  inside(first, () => addFirstFigure(...picture));
 };
 
 const textsOf = (group, name) => group[name]?.text ? linesOf(group[name]).filter(Boolean) : [];
@@ -121,10 +145,15 @@ const partsOf = study =>
     Object.entries(study.parts).sort(([, a], [, b]) => a.study_order.values[0] - b.study_order.values[0]);
 /// Does `action` as if a part of a study were the whole file.
 const ofPart = (name, part, action) => {
+  const to = (shown, kind, prefix) => {
+    show(shown);
+    report.kind = kind;
+    prefixIds(prefix);
+  };
   const study = data;
-  [data, report.kind, idPrefix] = [part, part.attributes.study_page, `${name}-`];
+  to(part, part.attributes.study_page, `${name}-`);
   const out = action(ANSWERS[report.kind]);
-  [data, report.kind, idPrefix] = [study, "study", ""];
+  to(study, "study", "");
   return out;
 };
 const shownParts = () => partsOf(data).filter(([, part]) => ANSWERS[part.attributes.study_page]);
@@ -262,6 +291,7 @@ const addNotes = program => add("p",
   document.getElementById("notes"));
 
 const begin = async () => {
+  read();
   document.title = `${report.file}: bem_contact report`;
   const title = TITLE_OF[report.kind], answer = report.kind === "study" ? STUDY : ANSWERS[report.kind];
   add("h1", `${title}: ${report.file}`);
@@ -282,6 +312,6 @@ const begin = async () => {
   for (const one of figures)
     if (!one[0].firstChild.data) // a printer may have been faster
       await draw(one);
-  document.body.dataset.drawn = figures.length;
+  document.body.dataset.drawn = String(figures.length);
 };
 begin().catch(failed);

@@ -1,15 +1,18 @@
 // Pages of contacts: a result, models of it side by side, both wheels of a wheelset.
-const whole = JSON.parse(document.getElementById("data").textContent);
-const {kind, file} = whole.attributes;
-let data = whole.data; // of a study: that of the part which is added
-data.scene_values = whole.scene_values;
-for (const [name, part] of Object.entries(whole.parts ?? {}))
-  data.parts[name].scene_values = part.scene_values;
-const stepsOf = ([step, {rail, wheel}]) => ({step: Number(step), rail: rows(rail), wheel: rows(wheel)});
-const report = {kind, file, steps: Object.entries(whole.steps ?? {}).map(stepsOf)};
-if (data.profiles)
-  data.profiles = Object.values(data.profiles).map(({attributes: {name}, y, z, curvature}) =>
-    ({name, y: y.values, z: z.values, curvature: curvature.values}));
+import {SETS, certifiedOf, contactsOf, namesIn, shortOf, titleOf} from "./answers.js";
+import {
+  PRESSURE, cutFigure, extent, isShaped, patchFigure, peak, sectionFigure, solidFigure,
+  stressFigure
+} from "./contact_figures.js";
+import {ABOVE, FORCES, lineOver} from "./curve_figures.js";
+import {add, addFigure, into, isFirst} from "./drawing.js";
+import {inDegrees, number, unitText, valueOf, valueText, words} from "./numbers.js";
+import {placeFigure} from "./place_figure.js";
+import {radiusOf} from "./scene_words.js";
+import {data} from "./shown.js";
+import {
+  addCertificate, addPatches, addQuantities, addSix, addTable, toleranceOf, worstOf
+} from "./tables.js";
 
 /// What stands first: wheels and rails where they touch, or the patch of one that has no bodies.
 const contactPicture = contacts => {
@@ -80,7 +83,7 @@ const addHistory = ({group: {history}}) => {
   });
 };
 
-const RESULT = {
+export const RESULT = {
   picture: () => contactPicture(contactsOf(data)),
   warnings: () => contactsOf(data).map(contact => ["", contact]),
   large: () => addSix(contactsOf(data)[0]),
@@ -112,6 +115,7 @@ const addCreepForces = creep => {
 };
 
 const setsThere = () => Object.keys(SETS).filter(name => contactsOf(data[name]).length);
+/** @type {() => any[]} */
 const comparedContacts = () => setsThere().flatMap(name =>
   contactsOf(data[name]).map(contact => [`${SETS[name]}, ${shortOf(contact.name)}`, contact]));
 
@@ -134,7 +138,7 @@ const pressuresFigure = contacts => {
   };
 };
 
-const COMPARISON = {
+export const COMPARISON = {
   picture: () =>
       ["pressures", "Pressure along s through its largest value, by each model.",
        pressuresFigure(contactsOf(data[setsThere()[0]]))],
@@ -177,7 +181,7 @@ const addTrackTable = () => {
       {numbers: [1, 2, 3], id: "track"});
 };
 
-const WHEELSET = {
+export const WHEELSET = {
   picture: () => contactPicture(contactsOf(data)),
   warnings: () => contactsOf(data).map(wheel => [titleOf(wheel.name), wheel]),
   figures: () => {

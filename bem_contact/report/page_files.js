@@ -1,6 +1,15 @@
 // Pages of tables to look up, profiles, influence files and meshes; what every page can save.
+import {titleOf} from "./answers.js";
+import {RAIL, WHEEL, rows} from "./contact_figures.js";
+import {withUnit} from "./curve_figures.js";
+import {add, addFigure, csvOf, download, page} from "./drawing.js";
+import {jacobiansOf, meshFigure, profilesFigure, stripFigure} from "./file_figures.js";
+import {VIEWS, number, unitText, valueOf, valueText, withErrors, words} from "./numbers.js";
+import {data, report} from "./shown.js";
+import {addLarge, addTable, single} from "./tables.js";
+import {tableErrorFigure, tableFigure, wornRowsFigure} from "./use_figures.js";
 
-const TABLE = {
+export const TABLE = {
   picture: () =>
       ["table-errors", "Largest interpolation error of each column; filled bars are held to the goal.",
        tableErrorFigure(data)],
@@ -49,6 +58,7 @@ const TABLE = {
 };
 
 /// [side, group] of each wheel; "" of one that is alone.
+/** @type {() => [string, any][]} */
 const wornWheels = () =>
     data.rows ? [["", data]] : ["right", "left"].filter(side => data[side]).map(side => [side, data[side]]);
 const wornId = (id, side) => `${id}${side && `-${side}`}`;
@@ -59,7 +69,7 @@ const wornRows = ([side, one]) =>
               : ""}What is worn off along the profile: wheel (left scale) and rail (right scale).`,
      wornRowsFigure(one.rows)];
 const ratesOf = one => Object.keys(one).filter(key => one[key].values?.length === 1);
-const CONTACT_WEAR = {
+export const CONTACT_WEAR = {
   picture: () => wornRows(wornWheels()[0]),
   large: () => wornWheels().forEach(([side, one]) => {
     if (side)
@@ -80,14 +90,14 @@ const CONTACT_WEAR = {
           {numbers: [1], id: wornId("rates", side)}))
 };
 
-const PROFILE = {
+export const PROFILE = {
   picture: () => ["outline", "The profile; the others lie behind it.", profilesFigure(data.profiles, "z")],
   figures: () => addFigure(
       "curvature", "Curvature: above 0 convex, below concave.", profilesFigure(data.profiles, "curvature"), "wide")
 };
 
 const ofInfluence = name => data.attributes[name] ?? valueOf(data, name);
-const INFLUENCE_FILE = {
+export const INFLUENCE_FILE = {
   picture: () =>
       ["strip", "The strip of the surface for which it serves, in the section of the body.",
        stripFigure(rows(data.stations), ofInfluence("invariance") === "prismatic" ? RAIL : WHEEL)],
@@ -117,9 +127,9 @@ const INFLUENCE_FILE = {
   }
 };
 
-const GOOD_JACOBIAN = 0.3, USABLE_JACOBIAN = 0.1; // as bem_contact plot says it
-const worstJacobian = () => Math.min(...jacobiansOf(rows(data.points), rows(data.quads)));
-const MESH = {
+export const GOOD_JACOBIAN = 0.3, USABLE_JACOBIAN = 0.1; // as bem_contact plot says it
+export const worstJacobian = () => Math.min(...jacobiansOf(rows(data.points), rows(data.quads)));
+export const MESH = {
   picture: () => ["mesh", "The section and its elements.", meshFigure(data, false)],
   large: () => {
     const points = rows(data.points),
@@ -166,7 +176,7 @@ const tablesIn = (group, name = "") => {
 };
 
 /// One button for each table; the file's own names and all digits.
-const addDownloads = () => {
+export const addDownloads = () => {
   const row = add("details", "", page, {className: "screen-only", id: "downloads"}), taken = new Set();
   add("summary", "Numbers as CSV", row);
   for (const [name, lines] of ["profile", "mesh"].includes(report.kind) ? [] : tablesIn(data)) {

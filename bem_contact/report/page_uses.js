@@ -1,21 +1,19 @@
 // Pages of what follows from contacts.
-/// Some columns of a table, a line each row.
-const addColumns = (table, names, caption, id, more = {}) => {
-  const there = names.filter(name => table[name]);
-  addTable(
-      caption, there.map(name => withUnit(name.replaceAll("_", " "), table[name])),
-      table[there[0]].values.map(
-          (_, i) =>
-              there.map(name => more[name]?.(i) ?? entryText(table[name], i))),
-      {id, wide: there.length > 6});
-};
-
-/// [name, words, text] of the largest number of a column.
-const largest = (table, name, title) =>
-  [name, title, `${number(largestOf(table[name].values))} ${unitText(table[name].unit.replace(/^1$/, ""))}`];
-/// The same of a single number.
-const single = (name, title = words(name).replaceAll("_", " "), group = data) =>
-  [name, title, `${valueText(group, name)} ${unitText(group[name].unit.replace(/^1$/, ""))}`];
+import {namesIn, titleOf} from "./answers.js";
+import {contactOf, patchFigure} from "./contact_figures.js";
+import {
+  TIME, creepFigure, keyText, leadingKey, measuredPressuresFigure, passageFigure, passageSideFigure, patchesFigure,
+  sweepFigure, sweptKeys, withUnit
+} from "./curve_figures.js";
+import {add, addFigure, draw, idPrefix, into} from "./drawing.js";
+import {
+  VIEWS, entryText, inDegrees, known, linesOf, number, ofEither, sentenceText, shortName, unitText, valueOf, words
+} from "./numbers.js";
+import {data, report} from "./shown.js";
+import {addColumns, addLarge, addTable, largest} from "./tables.js";
+import {
+  conicityFigure, filmFigure, mapFigure, radiusFigure, touchFigure, wearFigure, wornFigure
+} from "./use_figures.js";
 
 /// Where a click on a mark of a sweep shows the patch of its case. Undefined where the page has no fields.
 const addCaseView = () => {
@@ -97,7 +95,7 @@ const sweepFigures = () => {
   return out;
 };
 
-const SWEEP = {
+export const SWEEP = {
   picture: () => sweepFigures()[0],
   figures: () => {
     showCase = ofWheelsets() ? undefined : addCaseView();
@@ -154,8 +152,9 @@ const addMeasured = (measured, id = "measured") => {
       {numbers: [0, 1, 2, 3, 4, 5], id});
 };
 
-/// "pressures", "pressures_2" ... of a fit.
-const tablesNamed = (data, name) => Object.keys(data).filter(key => new RegExp(`^${name}(_\\d+)?$`).test(key));
+/// What was measured beside what is computed; a fit has several. `over`: "creepage" for forces, "over" for pressures.
+const measuredOver = over =>
+  Object.keys(data).filter(key => data[key].points?.measured && data[key].attributes?.[over]);
 
 /// A line of pressures as measured and as computed.
 const addPressures = (line, id) => {
@@ -176,18 +175,18 @@ const CREEP_CAPTION = "; the other two creepages stay as in the scene. With litt
 const creepFigures = () => ["xi", "eta", "phi"].filter(which => data.curves?.[which]).map(which =>
   [`curve-${which}`, `Forces over the ${words(which)}${CREEP_CAPTION}`, creepFigure(data, which)]);
 
-const pressureFigures = () => tablesNamed(data, "pressures").map(key =>
+const pressureFigures = () => measuredOver("over").map(key =>
   [`${key}-figure`, `Pressures over ${data[key].attributes.over}, as measured and as computed.`,
    measuredPressuresFigure(data[key])]);
 const curveFigures = () => [...creepFigures(), ...pressureFigures()];
 
-const CREEP_CURVES = {
+export const CREEP_CURVES = {
   picture: () => curveFigures()[0],
   warnings: () => [["", {group: data}]],
   figures: () => curveFigures().slice(1).forEach(one => addFigure(...one)),
   tables: () => {
-    tablesNamed(data, "measured").forEach(key => addMeasured(data[key], key));
-    tablesNamed(data, "pressures").forEach(key => addPressures(data[key], key));
+    measuredOver("creepage").forEach(key => addMeasured(data[key], key));
+    measuredOver("over").forEach(key => addPressures(data[key], key));
     const matrix = (name, caption) =>
         data[name] &&
         addTable(
@@ -202,7 +201,7 @@ const CREEP_CURVES = {
   }};
 
 /// The keys that were fitted, with their intervals, and how they hang together.
-const FIT = {
+export const FIT = {
   ...CREEP_CURVES,
   tables: () => {
     const names = namesIn(data.parameters);
@@ -235,7 +234,7 @@ const wearFigures = () => {
   return [...out, ["wear-depth", "Depth of the deepest place.", wearFigure(data, "depth", "mm")],
           ["wear-area", "Area gone from the sections.", wearFigure(data, "area", "mm²")]];
 };
-const WEAR = {
+export const WEAR = {
   picture: () => wearFigures()[0],
   figures: () => wearFigures().slice(1).forEach(one => addFigure(...one)),
   tables: () => addTable(
@@ -244,7 +243,7 @@ const WEAR = {
       {id: "steps", wide: true})
 };
 
-const CONICITY = {
+export const CONICITY = {
   picture: () => ["tan-gamma", "Equivalent conicity over the amplitude.", conicityFigure(data)],
   figures: () => {
     addFigure("radius-difference", "Rolling radius difference.", radiusFigure(data));
@@ -264,113 +263,7 @@ const CONICITY = {
         {id: "conicities"});
   }};
 
-const FATIGUE = {
-  picture: () =>
-      ["shakedown",
-       `Shakedown diagram, k = ${
-           number(valueOf(data, "yield_shear"))} MPa. Above a limit the steel flows with every passage.`,
-       shakedownFigure(data)],
-  large: () => {
-    const p = data.patches;
-    addLarge([
-      single("damage", words("damage")), largest(p, "p0_over_k", "largest p0 / k"),
-      largest(p, "mu_used", "most friction used"), largest(p, "FI_surf", "largest FI_surf"),
-      largest(p, "von_mises", words("von_mises")), largest(p, "T_gamma", "largest T-gamma")
-    ]);
-  },
-  figures: () => addFigure(
-      "stress-depth", "Where the largest stress of each patch's case lies below the surface.",
-      marksFigure(data.patches, "von_mises_depth", "von_mises", RAIL)),
-  tables: () => addColumns(data.patches, VIEWS.fatigue.columns, "Patches", "fatigue-patches")
-};
-
-/// What the passages of a contact do to the steel below it.
-const limitsFigure = k => {
-  const at = Number(k) - 1,
-        place = {s: data.patches.shakedown_s.values[at], depth: data.patches.shakedown_depth.values[at]};
-  return [
-    `limits-${k}`,
-    `Patch ${
-        k}: how large the load may be before no residual stress keeps a point elastic (1: the load of the scene). ` +
-        "The cross is where the limit is decided.",
-    sectionMapFigure(data.sections[k], "cycle", "load factor", place, 6)
-  ];
-};
-const envelopeFigure = () => {
-  const place = {s: valueOf(data, "dang_van_s"), depth: valueOf(data, "dang_van_depth")};
-  return ["envelope", "Largest stress of Dang Van of all cases. The cross is where it is largest.",
-          sectionMapFigure(data.envelope, "dang_van", "MPa", place)];
-};
-const sectionsOf = () => Object.entries(data.sections ?? {}); // none of a load collective
-const SHAKEDOWN = {
-  picture: () => data.envelope ? envelopeFigure() : sectionsOf().slice(0, 1).map(([k]) => limitsFigure(k))[0],
-  large: () => {
-    const p = data.patches, least = name => number(Math.min(...p[name].values));
-    addLarge([
-      ["shakedown", "shakedown factor, at least", least("shakedown")],
-      ["shakedown_upper", "at most", least("shakedown_upper")],
-      ["first_yield", "first yield, load factor", least("first_yield")],
-      largest(p, "dang_van", "largest stress of Dang Van below the surface"),
-      largest(p, "crossland", "largest stress of Crossland below the surface"),
-      single("yield_shear", "yield stress in shear, k")
-    ]);
-  },
-  figures: () => {
-    if (data.envelope && valueOf(data, "damage") > 0)
-      addFigure("damage", "Damage of one passage, mean over the collective.",
-                sectionMapFigure(data.envelope, "damage", "",
-                                 {s: valueOf(data, "damage_s"), depth: valueOf(data, "damage_depth")}));
-    sectionsOf().forEach(([k, section], at) => {
-      if (at > 0)
-        addFigure(...limitsFigure(k));
-      for (const [name, title] of [
-               ["dang_van", "Dang Van, MPa"],
-               ["residual_xx", "residual stress along the track at that limit, its deviator, MPa"]])
-        addFigure(`${name}-${k}`, `Patch ${k}: ${title}.`, sectionMapFigure(section, name, "MPa", null));
-    });
-  },
-  tables: () => {
-    for (const [k, section] of sectionsOf())
-      add("p", `Patch ${k}: the steel ${section.attributes.in_words}.`, into, {id: `${idPrefix}shakedown-words-${k}`});
-    addColumns(data.patches, VIEWS.shakedown.columns, "Patches", "shakedown-patches");
-  }};
-
-/// Stresses inside a body while a contact passes.
-const mapsOfStresses = () => sectionsOf().filter(([, section]) => section.von_mises.shape.length === 2);
-const stressMap = ([k, section]) => {
-  const at = Number(k) - 1, p = data.patches,
-        place = {s: p.von_mises_s.values[at], depth: p.von_mises_depth.values[at]};
-  return [
-    `von_mises-${k}`, `Patch ${k}: largest stress of von Mises while it passes. The cross is where it is largest.`,
-    sectionMapFigure(section, "von_mises", "MPa", place)
-  ];
-};
-const STRESSES = {
-  picture: () => mapsOfStresses().slice(0, 1).map(stressMap)[0],
-  large: () => {
-    const p = data.patches, change = p.von_mises_change.values[0];
-    const text = (name, unit) => `${valueText(p, name)} ${unit}`;
-    addLarge([
-      ["von_mises", words("von_mises"), text("von_mises", "MPa")],
-      ["depth", "its depth", text("von_mises_depth", "mm")],
-      ["largest_shear", "largest shear stress", text("largest_shear", "MPa")],
-      ["shear-depth", "its depth", text("largest_shear_depth", "mm")],
-      ["mean", "hydrostatic stress there", text("mean_stress", "MPa")],
-      change === null ? ["pmax", words("pmax"), text("pmax", "MPa")]
-                      : ["change", "more than a half-space", `${number(Number((100 * change).toFixed(1)))} %`]
-    ]);
-  },
-  figures: () => mapsOfStresses().forEach((one, first) => {
-    const [k, section] = one, s = section.s.values, place = data.patches.von_mises_s.values[Number(k) - 1];
-    const nearest = s.reduce((best, value, i) => Math.abs(value - place) < Math.abs(s[best] - place) ? i : best, 0);
-    if (first > 0)
-      addFigure(...stressMap(one));
-    addFigure(`depth-${k}`, `Patch ${k}: largest stresses over the depth, below s = ${number(s[nearest])} mm.`,
-              depthFigure(section, nearest, [["von_mises", "von Mises"], ["largest_shear", "largest shear"]]));
-  }),
-  tables: () => addColumns(data.patches, VIEWS.stresses.columns, "Patches", "stresses-patches")};
-
-const CONICITY_MAP = {
+export const CONICITY_MAP = {
   picture: () =>
       ["map",
        "Equivalent conicity" +

@@ -1,4 +1,9 @@
 // Where wheels and rails touch, looking along the track: the first picture of an answer about a contact.
+import {
+  INK, PRESSURE, RAIL, RAIL_FACE, WHEEL, extent, isShaped, peak, sideways
+} from "./contact_figures.js";
+import {ABOVE} from "./curve_figures.js";
+import {valueText} from "./numbers.js";
 
 const LONGEST_PRESSURE = 14; // mm that the largest pressure is drawn long
 const AROUND = 6; // mm that is shown beside a rail
@@ -28,6 +33,7 @@ const placeTraces = (contact, axes, named) => {
   const curve = points => ({x: points.map(p => side * p[0]), y: points.map(p => p[1])});
   const shut = (points, z) => curve([...points, [points.at(-1)[0], z], [points[0][0], z], points[0]]);
   const heights = contact.rail.map(p => p[1]);
+  /** @type {object[]} */
   const traces = [
     {
       ...on,
@@ -74,7 +80,7 @@ const placeNote = (contact, axes) => {
 };
 
 /// Both wheels on both rails, or the one that there is. Undefined where no contact has bodies.
-const placeFigure = contacts => {
+export const placeFigure = contacts => {
   const shown = contacts.filter(contact => isShaped(contact) && extent(contact))
                     .sort((a, b) => b.left - a.left); // the left one on the left
   if (!shown.length)

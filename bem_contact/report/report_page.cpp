@@ -7,7 +7,6 @@
 #include "bem_contact/record/found.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/json.hpp"
-#include "bem_contact/record/words.hpp"
 #include "bem_contact/report/mesh_file.hpp"
 #include "bem_contact/report/scene_values.hpp"
 #include "bem_contact/report/settings.hpp"
@@ -20,10 +19,9 @@
 #include <utility>
 #include <variant>
 
-// embedded.S; each ends with a NUL. The scripts are joined by the build (CMakeLists.txt).
+// embedded.S; each ends with a NUL. The modules of a page are one script (CMakeLists.txt).
 extern "C" {
-extern const char report_page_html[], report_page_css[], report_shared_js[], report_page_js[],
-    report_plotting_library_txt[];
+extern const char report_page_html[], report_page_css[], report_page_js[], report_plotting_library_txt[];
 }
 
 namespace bem_contact::report {
@@ -134,7 +132,7 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
 void require_library() {
   if (*report_plotting_library_txt == '\0')
     throw InputError("This build draws no pages",
-                     "the Debian package python3-plotly was missing when it was built",
+                     "one of the Debian packages python3-plotly and esbuild was missing when it was built",
                      "Run tools/install_packages contact-only, configure again (cmake --fresh) and build.");
 }
 
@@ -178,11 +176,9 @@ std::string page_with_figures(const PageParts& parts, std::string data) {
   replace_all(data, "</", "<\\/"); // no text of a scene ends the script that holds it
   replace_all(data, "<!--", "<\\u0021--");
   std::string page(parts.html);
-  std::string script = "const SHARED = "; // words, which pictures have too
-  script.append(record_words_json).append(";\n").append(report_shared_js).append(parts.script);
   const std::array<std::pair<std::string_view, std::string_view>, 4> places{
       {{"@STYLE@", parts.style},
-       {"@SCRIPT@", script},
+       {"@SCRIPT@", parts.script},
        {"@LIBRARY@", report_plotting_library_txt},
        {"@DATA@", data}}};
   for (const auto& [name, part] : places)

@@ -1,9 +1,14 @@
 // The question in words. It needs no library.
+import {contactsOf, countsText, titleOf} from "./answers.js";
+import {sweptKeys} from "./curve_figures.js";
+import {inDegrees, number, valueOf, words} from "./numbers.js";
+import {data, report} from "./shown.js";
+
 /// A value of the scene with all defaults, as a text; "" if it has none.
-const sceneValue = key => data.scene_values?.attributes?.[key] ?? "";
+export const sceneValue = key => data.scene_values?.attributes?.[key] ?? "";
 
 /// Radius of the wheel at the contact; undefined where there is no wheel.
-const radiusOf = contact => {
+export const radiusOf = contact => {
   const depth = contact.group.patches?.wheel_z?.values[0],
         own = contact.left ? sceneValue("wheelset.left_wheel_radius") : "";
   const radius = Number(own || sceneValue("position.wheel_radius"));
@@ -34,7 +39,7 @@ const wheelsetInWords = profile => {
   return words;
 };
 
-const sceneInWords = () => {
+export const sceneInWords = () => {
   const swept = report.kind === "sweep" ? sweptKeys(data) : [];
   const profile = body => swept.includes(`${body}.profile`) ? "of several profiles"
                                                             : data.inputs?.[`${body}.profile`] &&

@@ -1,7 +1,16 @@
 // Tables, certificates and warnings of a page. They need no library.
+import {certifiedOf, shortOf} from "./answers.js";
+import {withUnit} from "./curve_figures.js";
+import {add, idPrefix, into} from "./drawing.js";
+import {
+  LEAST_NUMBER, entryText, inDegrees, largestOf, number, ranked, unitText, valueOf, valueText, words
+} from "./numbers.js";
+import {data} from "./shown.js";
 
+/** @typedef {{parent?: HTMLElement, numbers?: number[], id?: string, wide?: boolean | string}} Looks */
 /// A table; the cells numbered `numbers` from the left, or all of them, are numbers.
-const addTable = (caption, head, lines, {parent = into, numbers, id = "", wide = false} = {}) => {
+export const addTable = (caption, head, lines, /** @type {Looks} */ looked = {}) => {
+  const {parent = into, numbers, id = "", wide = false} = looked;
   const looks = !wide ? "" : wide === "widest" || head.length > 10 ? "wide-table widest" : "wide-table";
   const frame = add("div", "", parent, {className: "scroll"});
   const table = add("table", "", frame, {id: id && idPrefix + id, className: looks});
@@ -15,19 +24,19 @@ const addTable = (caption, head, lines, {parent = into, numbers, id = "", wide =
 };
 
 /// [{text, kind}] of a contact, the most important first. Two of one kind about the same key say the same.
-const warningsOf = ({group}) => {
+export const warningsOf = ({group}) => {
   const lines = name => (group[name]?.text ?? "").split("\n");
   const kinds = lines("warning_kinds"), about = lines("warning_about");
   return lines("warnings").map((text, k) => ({text, kind: kinds[k] ? `${kinds[k]} ${about[k] ?? ""}` : text}))
     .filter(({text}) => text);
 };
 
-const worstOf = ({group}) => valueOf(group.quantities, "certificate").toExponential(1);
-const toleranceOf = ({group}) => valueOf(group.certificate, "tolerance").toExponential(0);
+export const worstOf = ({group}) => valueOf(group.quantities, "certificate").toExponential(1);
+export const toleranceOf = ({group}) => valueOf(group.certificate, "tolerance").toExponential(0);
 const solversOf = ({group: {solver}}) =>
   [solver?.attributes?.normal, solver?.attributes?.tangential].filter(Boolean).join(", ");
 
-const addCertificate = (contact, title = "") => {
+export const addCertificate = (contact, title = "") => {
   const {why_not_certified: why, solver_note: note} = contact.group.attributes, certified = certifiedOf(contact.group);
   const worst = `the worst violation of a contact condition is ${worstOf(contact)}`, most = toleranceOf(contact);
   const text = certified
@@ -38,7 +47,7 @@ const addCertificate = (contact, title = "") => {
 };
 
 /// [{text, kind}] of each warning once; `of`: [title, contact] of those that may have it.
-const warningsFound = (of, shown = text => text) => {
+export const warningsFound = (of, shown = text => text) => {
   const found = new Map();
   for (const [title, contact] of of)
     for (const {text, kind} of warningsOf(contact))
@@ -49,7 +58,7 @@ const warningsFound = (of, shown = text => text) => {
 };
 
 /// What is looked at first, in large figures: [name, words, text] of each.
-const addLarge = (items, parent = into) => {
+export const addLarge = (items, parent = into) => {
   const list = add("dl", "", parent, {className: "six"});
   for (const [name, title, text] of items) {
     const one = add("div", "", list);
@@ -57,7 +66,7 @@ const addLarge = (items, parent = into) => {
     add("dd", text, one, {id: `${idPrefix}six-${name}`});
   }
 };
-const addSix = (contact, parent = into) => {
+export const addSix = (contact, parent = into) => {
   const q = contact.group.quantities;
   const text = name => `${valueText(q, name)} ${unitText(q[name].unit)}`;
   addLarge(ranked(q, "result", "headline").map(name => [name, words(name), text(name)]), parent);
@@ -73,7 +82,7 @@ const lessText = (contacts, contact, name) => {
   return number(Number((other - reference).toPrecision(4))) + share;
 };
 
-const addQuantities = (contacts, caption, id, parent = into) => {
+export const addQuantities = (contacts, caption, id, parent = into) => {
   const [{group: {quantities: first}}, ...others] = contacts, isOne = !others.length;
   const value = ({group: {quantities: q}}, name) => inDegrees(valueText(q, name), valueOf(q, name), q[name]?.unit);
   const line = name => [
@@ -93,7 +102,7 @@ const addQuantities = (contacts, caption, id, parent = into) => {
   addTable("", head, unranked.map(line), {parent: rest, ...looks});
 };
 
-const addPatches = (contact, parent = into) => {
+export const addPatches = (contact, parent = into) => {
   const p = contact.group.patches;
   if (!p?.Fn)
     return;
@@ -105,3 +114,21 @@ const addPatches = (contact, parent = into) => {
              [words(name), ...places.map(k => cell(name, k)), unitText(p[name].unit), p[name].description]),
            {parent, numbers: places.map(k => k + 1), id: `patches-${contact.name}`});
 };
+
+/// Some columns of a table, a line each row.
+export const addColumns = (table, names, caption, id, more = {}) => {
+  const there = names.filter(name => table[name]);
+  addTable(
+      caption, there.map(name => withUnit(name.replaceAll("_", " "), table[name])),
+      table[there[0]].values.map(
+          (_, i) =>
+              there.map(name => more[name]?.(i) ?? entryText(table[name], i))),
+      {id, wide: there.length > 6});
+};
+
+/// [name, words, text] of the largest number of a column.
+export const largest = (table, name, title) =>
+  [name, title, `${number(largestOf(table[name].values))} ${unitText(table[name].unit.replace(/^1$/, ""))}`];
+/// The same of a single number.
+export const single = (name, title = words(name).replaceAll("_", " "), group = data) =>
+  [name, title, `${valueText(group, name)} ${unitText(group[name].unit.replace(/^1$/, ""))}`];

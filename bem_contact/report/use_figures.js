@@ -1,11 +1,15 @@
 // Figures of what follows from contacts: wear, conicity, fatigue, shakedown, tables.
+import {BOUND, INK, RAIL, STRESS, WHEEL} from "./contact_figures.js";
+import {ABOVE, FORCES, lineOver, titled} from "./curve_figures.js";
+import {linesOf, number, shortName, unitText, valueOf, words} from "./numbers.js";
+
 const DRAWN_STEPS = 5; // lines of one figure: more cannot be told apart on paper
 
 /// "1760 km", of a step.
 const mileageAt = (data, step) => `${Number(data.mileage.values[data.step.values.indexOf(step)].toPrecision(3))} km`;
 
 /// How deep a body is worn over its y, a line a step: later steps are darker and thicker.
-const wornFigure = (all, data, body) => {
+export const wornFigure = (all, data, body) => {
   const steps = all.filter(
       (_, k) => k === 0 ||
           Math.floor(k * DRAWN_STEPS / (all.length - 1)) > Math.floor((k - 1) * DRAWN_STEPS / (all.length - 1)));
@@ -29,7 +33,7 @@ const wornFigure = (all, data, body) => {
 };
 
 /// The worn profile from step to step, with a slider; the depth is drawn larger than it is. Paper shows the last step.
-const filmFigure = (steps, data, body) => {
+export const filmFigure = (steps, data, body) => {
   const first = steps[0][body], deepest = data[`${body}_depth`].values.at(-1),
         times = 5 / deepest; // drawn 5 mm deep at last
   const drawn = at => at[body].map((p, i) => p.map((value, k) => first[i][k] + times * (value - first[i][k])));
@@ -85,7 +89,7 @@ const filmFigure = (steps, data, body) => {
   };
 };
 
-const radiusFigure = ({function: f}) => ({
+export const radiusFigure = ({function: f}) => ({
   height: 320,
   traces: [{type: "scatter", mode: "lines", x: f.lateral.values, y: f.difference.values, line: {color: INK, width: 2}}],
   layout: {
@@ -95,7 +99,7 @@ const radiusFigure = ({function: f}) => ({
   }
 });
 
-const conicityFigure = ({conicity: c}) => ({
+export const conicityFigure = ({conicity: c}) => ({
   height: 320,
   traces: [
     {...lineOver(c.amplitude.values, c.tan_gamma.values, "tan γ", {colour: INK, dash: "solid", mark: "circle"})}, {
@@ -111,19 +115,19 @@ const conicityFigure = ({conicity: c}) => ({
 });
 
 /// Where both wheels touch: on the wheel or on the rail.
-const touchFigure = ({function: f}, body) => ({
+export const touchFigure = ({function: f}, body) => ({
   height: 340,
-  traces: [
-    ["right", {symbol: "circle", size: 4}],
-    ["left", {symbol: "x-thin", size: 9, maxdisplayed: 40, line: {color: body === "rail" ? RAIL : WHEEL, width: 1.5}}]
-  ].map(([side, mark]) => ({
-          type: "scatter",
-          mode: "markers",
-          x: f.lateral.values,
-          y: f[`${side}_${body}_y`].values,
-          name: side,
-          marker: {color: body === "rail" ? RAIL : WHEEL, ...mark}
-        })),
+  traces: Object.entries({
+    right: {symbol: "circle", size: 4},
+    left: {symbol: "x-thin", size: 9, maxdisplayed: 40, line: {color: body === "rail" ? RAIL : WHEEL, width: 1.5}}
+  }).map(([side, mark]) => ({
+    type: "scatter",
+    mode: "markers",
+    x: f.lateral.values,
+    y: f[`${side}_${body}_y`].values,
+    name: side,
+    marker: {color: body === "rail" ? RAIL : WHEEL, ...mark}
+  })),
   layout: {
     xaxis: {title: "lateral displacement to the right, mm"},
     yaxis: {title: `y on the ${body}, mm, to the field side`},
@@ -131,7 +135,7 @@ const touchFigure = ({function: f}, body) => ({
   }
 });
 
-const wearFigure = (data, what, unit) => ({
+export const wearFigure = (data, what, unit) => ({
   height: 320,
   traces: [["rail", RAIL, "solid", "circle"], ["wheel", WHEEL, "dash", "square"]].map(
       ([body, colour, dash, mark]) =>
@@ -144,7 +148,7 @@ const wearFigure = (data, what, unit) => ({
 });
 
 /// Patches in the shakedown diagram: the largest pressure over the yield stress in shear, and the friction used.
-const shakedownFigure = ({patches: p}) => {
+export const shakedownFigure = ({patches: p}) => {
   const mu = Array.from({length: 60}, (_, k) => 0.01 * (k + 1)), load = p.p0_over_k.values,
         top = 1.15 * Math.max(6, ...load);
   return {
@@ -185,8 +189,9 @@ const shakedownFigure = ({patches: p}) => {
 };
 
 /// A map over the section below a patch; values above `most` are drawn as that. `place`: a cross.
-const sectionMapFigure = (section, name, title, place, most = Infinity) => {
+export const sectionMapFigure = (section, name, title, place, most = Infinity) => {
   const s = section.s.values, depth = section.depth.values, values = section[name].values;
+  /** @type {object[]} */
   const traces = [{
     type: "contour",
     x: s,
@@ -211,7 +216,7 @@ const sectionMapFigure = (section, name, title, place, most = Infinity) => {
 };
 
 /// Largest stresses of a passage over the depth below one point of the surface; those of a half-space are dashed.
-const depthFigure = (section, at, names) => {
+export const depthFigure = (section, at, names) => {
   const depth = section.depth.values, traces = [], colours = [RAIL, WHEEL];
   names.forEach(([name, title], i) => {
     for (const [prefix, dash, of] of [["", "solid", ""], ["halfspace_", "dash", ", half-space"]])
@@ -237,7 +242,7 @@ const depthFigure = (section, at, names) => {
 };
 
 /// A column of a table over another one, as marks.
-const marksFigure = (table, x, y, colour) => ({
+export const marksFigure = (table, x, y, colour) => ({
   height: 300,
   traces: [{
     type: "scatter",
@@ -252,7 +257,7 @@ const marksFigure = (table, x, y, colour) => ({
 
 /// Conicities over the gauge, a line each pair; at one gauge over the wheels, a mark each rail. Bars: the scatter of
 /// the profiles.
-const mapFigure = data => {
+export const mapFigure = data => {
   const {map} = data, [wheels, rails] = ["wheels", "rails"].map(name => linesOf(data[name]).map(shortName));
   const over = new Set(map.gauge.values).size > 1, groups = new Map();
   map.gauge.values.forEach((_, i) => {
@@ -283,7 +288,7 @@ const mapFigure = data => {
 };
 
 /// The largest interpolation error of each column of a table of forces, over its scale.
-const tableErrorFigure = data => {
+export const tableErrorFigure = data => {
   const names = Object.keys(data.interpolation_error).filter(name => name !== "attributes").reverse(),
         goal = 100 * valueOf(data, "tolerance");
   const held = new Set((data.attributes.held ?? "").split(" "));
@@ -314,7 +319,7 @@ const tableErrorFigure = data => {
 
 /// A column over the first axis of a table, a line for up to four points of the second one, the other axes at their
 /// middle points.
-const tableFigure = (data, column) => {
+export const tableFigure = (data, column) => {
   const values = data.values[column], names = data.attributes.axis_names.split(" "), {shape} = values;
   if (shape.length !== names.length)
     return undefined; // nested axes
@@ -344,7 +349,7 @@ const tableFigure = (data, column) => {
 };
 
 /// What one contact wears off rail and wheel, over the rail's profile.
-const wornRowsFigure = rows => ({
+export const wornRowsFigure = rows => ({
   height: 320,
   traces: [
     ["wheel_depth_per_km", WHEEL, "dash", "square"], ["rail_depth_per_million_axles", RAIL, "solid", "circle"]

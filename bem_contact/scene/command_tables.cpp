@@ -2,7 +2,6 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
-#include "bem_contact/base/toml.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 
 #include <algorithm>
@@ -54,7 +53,8 @@ void require_known(const std::string& table, const std::string& key, const std::
   std::ranges::replace(command, '_', '-');
   const auto like = nearest_names(key, names);
   throw InputError(fmt::format("{}unknown key '{}.{}'", where, table, key),
-                   fmt::format("the table has the options of bem_contact {}", command),
+                   table == "passage" ? std::string("no passage along the track has it")
+                                      : fmt::format("the table has the options of bem_contact {}", command),
                    like.empty() ? fmt::format("Known are {}.", fmt::join(names, ", "))
                                 : fmt::format("Did you mean {}.{}?", table, fmt::join(like, " or ")));
 }
@@ -64,6 +64,13 @@ void require_known(const std::string& table, const std::string& key, const std::
 std::span<const std::string_view> option_keys(std::string_view table) {
   const auto found = std::ranges::find(option_tables, table, &OptionTable::name);
   return found == std::ranges::end(option_tables) ? std::span<const std::string_view>() : found->keys;
+}
+
+void require_known_options(const toml::table& values, std::string_view table, const std::string& source) {
+  for (const auto& [name, node] : values)
+    if (table != "table" || !(node.is_table() || node.is_array())) // its axes are keys of the scene
+      require_known(std::string(table), std::string(name.str()),
+                    fmt::format("{}:{}: ", source, name.source().begin.line));
 }
 
 void require_known_options(const SceneText& scene) {
@@ -79,10 +86,7 @@ void require_known_options(const SceneText& scene) {
   }
   for (const OptionTable& table : option_tables)
     if (const toml::table* values = root[table.name].as_table())
-      for (const auto& [name, node] : *values)
-        if (table.name != "table" || !(node.is_table() || node.is_array())) // its axes are keys of the scene
-          require_known(std::string(table.name), std::string(name.str()),
-                        fmt::format("{}:{}: ", scene.source, name.source().begin.line));
+      require_known_options(*values, table.name, scene.source);
 }
 
 std::vector<std::string> files_of_table(const SceneText& scene, std::string_view table) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/base/toml.hpp"
 #include "bem_contact/scene/scene_text.hpp"
 
 #include <initializer_list>
@@ -20,7 +21,9 @@ inline constexpr std::string_view command_tables[] = {"sweep",     "table",     
 /// none, or is read elsewhere. Lists of [table] are axes.
 std::span<const std::string_view> option_keys(std::string_view table);
 
-/// Throws InputError, with file and line, for a key that none of these tables has. A text that is no TOML
+/// Throws InputError, with `source` and line, for a key that the table of this name does not have.
+void require_known_options(const toml::table& values, std::string_view table, const std::string& source);
+/// Does so for all of these tables. A text that is no TOML
 /// passes: whoever reads it says what is wrong.
 void require_known_options(const SceneText& scene);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <string_view>
 
 namespace bem_contact {
@@ -142,6 +143,21 @@ std::vector<std::string> derivative_names() {
       names.emplace_back(one.name);
   names.insert(names.end(), {std::string(rail_profile_input), std::string(wheel_profile_input)});
   return names;
+}
+
+std::string derivative_name_of(std::string_view key) {
+  const auto found = std::ranges::find(known_numbers, key, &Known::key);
+  return found == std::end(known_numbers) ? "" : found->name;
+}
+
+void refuse_derivatives(const SceneFile& scene, std::string_view what) {
+  if (!scene.derivatives.empty())
+    refuse_derivatives(what);
+}
+
+void refuse_derivatives(std::string_view what) {
+  throw InputError("There are no derivatives here", fmt::format("{} does not show them", what),
+                   "Leave out derivatives, or ask bem_contact solve or sweep for them.");
 }
 
 std::vector<std::string> profile_inputs(const SceneFile& scene) {

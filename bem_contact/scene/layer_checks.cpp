@@ -1,3 +1,4 @@
+#include "bem_contact/scene/friction_laws.hpp"
 #include "bem_contact/scene/scene_keys.hpp"
 
 #include <algorithm>
@@ -64,7 +65,7 @@ void check_layer(const SceneFile& f, const Schema& s) {
   if (layer.yields() && f.motion.kinetic_friction)
     s.refuse(layer.yield_shear ? "layer.yield_shear" : "layer.yield_shears",
              "motion.kinetic_friction is another law of what slips", "Give one of the two.");
-  const bool falls = f.motion.falling_friction || f.motion.polach_a || f.temperature.hot_friction;
+  const bool falls = asked_law(f.motion) || f.temperature.hot_friction;
   if (layer.hardening != 0 && falls)
     s.refuse("layer.hardening", "friction falls with slip velocity or temperature",
              "Give a layer that does not harden, or constant friction.");

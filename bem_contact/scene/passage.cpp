@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/place_in_table.hpp"
+#include "bem_contact/scene/command_tables.hpp"
 #include "bem_contact/scene/value_range.hpp"
 
 #include <algorithm>
@@ -33,10 +34,7 @@ public:
                        "the places of a passage occur as often as each other", "Leave out that column.");
     const auto places = std::ranges::find(table_.columns, along, &CaseTable::Column::key);
     if (places == table_.columns.end())
-      throw InputError(
-          fmt::format("'{}' has no column {}", file_.string(), along),
-          "a passage finds the wheelset by its place along the track",
-          fmt::format("Add it, in mm, or say which it is: passage.columns = {{ s = \"{}\" }}.", along));
+      refuse_without_places();
     at_ = numbers_of(*places);
     table_.columns.erase(places);
     falls_ = at_.size() > 1 && at_.back() < at_.front();
@@ -80,6 +78,18 @@ public:
   }
 
 private:
+  [[noreturn]] void refuse_without_places() const {
+    std::vector<std::string> names;
+    for (const CaseTable::Column& column : table_.columns)
+      names.push_back(column.key);
+    const auto like = nearest_names(along, names, 1);
+    throw InputError(
+        fmt::format("'{}' has no column {}", file_.string(), along),
+        "a passage finds the wheelset by its place along the track",
+        like.empty()
+            ? fmt::format("Add it, in mm, or say which it is: passage.columns = {{ s = \"{}\" }}.", along)
+            : fmt::format("Is it the column {}? Call it {}.", like[0], along));
+  }
   void reverse() {
     std::ranges::reverse(at_);
     std::ranges::reverse(table_.lines);
@@ -155,6 +165,7 @@ std::vector<SweepFile::Axis> axes_of_passage(const toml::node& node, int line, S
                      "it says from where to where and by which steps a wheel goes",
                      "Give [passage] with from, to and step in mm below it.");
   const toml::table& passage = *node.as_table();
+  require_known_options(passage, "passage", sweep.text.source);
   std::optional<Path> path;
   if (const toml::node* file = passage.get("path")) {
     const std::string name = file->value_or(std::string());

@@ -47,6 +47,8 @@ constexpr OneWheelKey of_one_wheel[] = {
     {"motion.eta", "it is the creepage of one wheel", slides},
     {"motion.phi", "it is the creepage of one wheel", slides},
     {"motion.from_free_rolling", "one wheel of an axle does not roll freely", "Give wheelset.torque."},
+    {"derivatives", "they hold where the wheelset stands, and it would stand elsewhere",
+     "Leave it out, or ask for those of one wheel at the pose that was found (load.force)."},
 };
 
 /// A scene with a table [wheelset] has neither a load nor a position of one wheel.

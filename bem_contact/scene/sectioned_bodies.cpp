@@ -27,14 +27,9 @@ constexpr double same_height = 0.5;
 /// mm. Two bodies that have less in common touch or cross each other. Chosen.
 constexpr double most_common_width = 2;
 
-struct NamedBody {
-  std::string name;
-  SlicedBody body;
-};
-
-NamedBody& body_named(std::vector<NamedBody>& bodies, const std::string& name) {
-  const auto known = std::ranges::find(bodies, name, &NamedBody::name);
-  return known != bodies.end() ? *known : bodies.emplace_back(NamedBody{name, {}});
+SectionsOfBody& body_named(std::vector<SectionsOfBody>& bodies, const std::string& name) {
+  const auto known = std::ranges::find(bodies, name, &SectionsOfBody::name);
+  return known != bodies.end() ? *known : bodies.emplace_back(SectionsOfBody{name, {}});
 }
 
 /// Those of a slices file, or one profile. Errors name the section.
@@ -66,32 +61,17 @@ SlicedBody sections_at(const SceneFile& scene, ProfileKind kind, std::size_t i) 
   }
 }
 
-std::vector<NamedBody> named_bodies(const SceneFile& scene, ProfileKind kind) {
-  const SceneFile::Side& side = kind == ProfileKind::rail ? scene.rail : scene.wheel;
-  std::vector<NamedBody> out;
-  if (side.sections.empty() && names_slices(side.profile))
-    out.push_back(
-        {"", sections_of_slices(profile_file_name(side.profile, scene.folder).file, kind, side.reading)});
-  for (std::size_t i = 0; i < side.sections.size(); ++i) {
-    SlicedBody more = sections_at(scene, kind, i);
-    SlicedBody& body = body_named(out, side.sections[i].body).body;
-    std::ranges::move(more.sections, std::back_inserter(body.sections));
-    body.approximated = body.approximated || more.approximated;
-  }
-  if (out.size() > 1)
-    for (NamedBody& one : out)
-      if (std::vector<BodySection>& sections = one.body.sections; sections.size() == 1) {
-        sections.push_back(sections.front());
-        sections.front().at = -endless;
-        sections.back().at = endless;
-      }
-  return out;
-}
-
 SectionedSurface surface_of(SlicedBody body, ProfileKind kind) {
   return kind == ProfileKind::wheel
              ? wheel_surface(std::move(body.sections), body.approximated)
              : SectionedSurface(std::move(body.sections), {.approximated = body.approximated});
+}
+
+/// A body of several that has one section is the same all along the track.
+void make_endless(std::vector<BodySection>& sections) {
+  sections.push_back(sections.front());
+  sections.front().at = -endless;
+  sections.back().at = endless;
 }
 
 /// What of a body looks up, across the track: z over y, mm.
@@ -148,9 +128,27 @@ void require_beside_each_other(const SectionedBodies& bodies, std::size_t a, std
 
 } // namespace
 
+std::vector<SectionsOfBody> sections_of_bodies(const SceneFile& scene, ProfileKind kind) {
+  const SceneFile::Side& side = kind == ProfileKind::rail ? scene.rail : scene.wheel;
+  std::vector<SectionsOfBody> out;
+  if (side.sections.empty() && names_slices(side.profile))
+    out.push_back(
+        {"", sections_of_slices(profile_file_name(side.profile, scene.folder).file, kind, side.reading)});
+  for (std::size_t i = 0; i < side.sections.size(); ++i) {
+    SlicedBody more = sections_at(scene, kind, i);
+    SlicedBody& body = body_named(out, side.sections[i].body).body;
+    std::ranges::move(more.sections, std::back_inserter(body.sections));
+    body.approximated = body.approximated || more.approximated;
+  }
+  return out;
+}
+
 SectionedBodies sectioned_bodies(const SceneFile& scene, ProfileKind kind) {
   SectionedBodies out;
-  for (NamedBody& one : named_bodies(scene, kind)) {
+  std::vector<SectionsOfBody> bodies = sections_of_bodies(scene, kind);
+  for (SectionsOfBody& one : bodies) {
+    if (bodies.size() > 1 && one.body.sections.size() == 1)
+      make_endless(one.body.sections);
     if (!out.first)
       out.first = one.body.sections.front().profile;
     out.names.push_back(one.name);

@@ -17,6 +17,15 @@ struct SectionedBodies {
   std::optional<ProfileCurve> first;                             ///< the first section of all
 };
 
+/// The sections of one of them as they are given.
+struct SectionsOfBody {
+  std::string name; ///< "" of the one that there is
+  SlicedBody body;
+};
+/// The bodies of a side in the order of the scene; none: the side has one profile. Throws InputError, which
+/// names the section.
+std::vector<SectionsOfBody> sections_of_bodies(const SceneFile& scene, ProfileKind kind);
+
 /// Reads them. A body of several that has one section is the same all along the track. Throws InputError,
 /// which names the section.
 SectionedBodies sectioned_bodies(const SceneFile& scene, ProfileKind kind);

@@ -1,6 +1,7 @@
 #include "bem_contact/scene/surface_states.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/scene/friction_laws.hpp"
 #include "bem_contact/scene/scene_keys.hpp"
 
 #include <algorithm>
@@ -67,7 +68,9 @@ void apply_state(SceneFile& scene, const Schema& schema) {
   if (!state->friction || has_any({"motion.friction", "motion.friction_table"}))
     return;
   motion.friction = *state->friction;
-  if (motion.speed && !has_any({"motion.kinetic_friction", "motion.falling_friction", "motion.polach_a"})) {
+  const bool has_law = std::ranges::any_of(
+      friction_laws(), [&](const AskedLaw& law) { return schema.has(law.numbers[0].key); });
+  if (motion.speed && !has_law && !schema.has("motion.kinetic_friction")) {
     motion.falling_friction = state->falling;
     motion.half_slip_velocity = state->half_slip_velocity;
   }

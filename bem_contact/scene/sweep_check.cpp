@@ -42,7 +42,7 @@ std::set<std::size_t> cases_to_check(const SweepFile& sweep, CaseRange cases) {
     axis = next;
   }
   if (checked.size() >= many_scenes)
-    messages()->info("{} scenes of '{}' are checked before one is solved", checked.size(), sweep.text.source);
+    say_info("{} scenes of '{}' are checked before one is solved", checked.size(), sweep.text.source);
   return checked;
 }
 
@@ -94,8 +94,8 @@ void check_cases(const SweepFile& sweep, CaseRange cases) {
         why = error.what();
     }
   if (refused > 0)
-    messages()->warn("{} of '{}' {} recorded as refused, and the others are solved; the first: {}",
-                     counted(refused, "case", "cases"), sweep.text.source, refused == 1 ? "is" : "are", why);
+    say_warning("{} of '{}' {} recorded as refused, and the others are solved; the first: {}",
+                counted(refused, "case", "cases"), sweep.text.source, refused == 1 ? "is" : "are", why);
 }
 
 } // namespace bem_contact

@@ -49,6 +49,8 @@ struct Reader {
       const int line = static_cast<int>(name.source().begin.line);
       const toml::table* inner = node.as_table();
       const bool is_sweep = section == "sweep";
+      if (prefix.empty())
+        require_no_misspelt_option(key, line);
       if (is_sweep && key == "together")
         groups(node, line);
       else if (is_sweep && key == "mode")
@@ -61,7 +63,7 @@ struct Reader {
         case_table(node, line);
       else if (section != "table" && key == "columns")
         columns(node, line);
-      else if (inner && (inner->contains("from") || inner->contains("to")))
+      else if (inner && is_range(*inner))
         sweep.axes.push_back({key, range(*inner, key, line), line, true});
       else if (inner)
         this->table(*inner, key);
@@ -76,6 +78,30 @@ struct Reader {
                    "Give a list [a, b, ...] or {{ from = a, to = b, step = c }}, or move it out of [{}].",
                    section));
     }
+  }
+
+  static bool is_range(const toml::table& table) {
+    return std::ranges::any_of(keys_of_ranges, [&](std::string_view key) { return table.contains(key); });
+  }
+
+  /// Throws InputError for a name that no table of scenes has and that is most like one of the section's own
+  /// keys: else it would be taken for a list without values.
+  void require_no_misspelt_option(const std::string& name, int line) const {
+    std::vector<std::string> own{"table", "columns"};
+    if (section == "sweep")
+      own.insert(own.end(), {"together", "mode", "fields", "weight"});
+    if (section == "table" || std::ranges::find(own, name) != own.end())
+      return;
+    std::vector<std::string> known = own;
+    for (const KeyDescription& key : keys_of_scenes()) {
+      known.push_back(key.path.substr(0, key.path.find('.')));
+      if (known.back() == name)
+        return;
+    }
+    if (const auto like = nearest_names(name, known, 1);
+        !like.empty() && std::ranges::find(own, like[0]) != own.end())
+      refuse(line, fmt::format("unknown key '{}.{}'", section, name), "neither this table nor a scene has it",
+             fmt::format("Did you mean {}.{}?", section, like[0]));
   }
 
   /// Lists side by side: one list of the product.
@@ -295,13 +321,16 @@ void require_cases(const SweepFile& sweep, const std::vector<SweepFile::Axis>& t
   for (const auto* axes : {&together, &sweep.axes})
     for (const SweepFile::Axis& axis : *axes)
       all.push_back(&axis);
-  if (all.empty())
+  if (all.empty()) {
+    if (!has_sweep(sweep.text, section))
+      parse_scene_file(sweep.text); // says so where the table's name is misspelt
     throw InputError(
         fmt::format("'{}' describes no {}", source, section),
         fmt::format("it has no table [{}] with lists", section),
         fmt::format("Add one, for instance [{}] with position.lateral = {{ from = 6.2, to = 7.1, "
                     "step = 0.05 }} below it.",
                     section));
+  }
   double cases = 1;
   std::set<std::string_view> keys;
   for (const SweepFile::Axis* axis : all) {

@@ -4,6 +4,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/number_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -25,9 +26,13 @@ std::vector<SchemaValue> values_of_range(const toml::table& t, const std::string
   };
   const std::string example = "Give { from = a, to = b, step = c } or { from = a, to = b, count = n }.";
   for (const auto& [name, node] : t)
-    if (name != "from" && name != "to" && name != "step" && name != "count")
+    if (std::ranges::find(keys_of_ranges, name.str()) == std::end(keys_of_ranges)) {
+      const std::vector<std::string> known{std::begin(keys_of_ranges), std::end(keys_of_ranges)};
+      const auto like = nearest_names(name.str(), known, 1);
       refuse(fmt::format("unknown key '{}' in the range of {}", name.str(), of),
-             "a range has from, to and step or count", example);
+             "a range has from, to and step or count",
+             like.empty() ? example : fmt::format("Did you mean {}?", like[0]));
+    }
   const auto from = t["from"].value<double>(), to = t["to"].value<double>();
   const auto step = t["step"].value<double>();
   const auto count = t["count"].value<std::int64_t>();

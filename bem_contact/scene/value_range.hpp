@@ -5,12 +5,16 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bem_contact {
 
 /// More is a typing error: the records of the cases alone would need gigabytes.
 inline constexpr std::size_t most_cases = 10'000'000;
+
+/// What a range has.
+inline constexpr std::string_view keys_of_ranges[] = {"from", "to", "step", "count"};
 
 /// The values of { from = a, to = b, step = c } or { from = a, to = b, count = n }. `name`
 /// ("sweep.load.force") and `where` ("scene.toml:3: ") are for messages. Throws InputError.

@@ -18,12 +18,17 @@ struct SweepFile;
 SceneResult solve_of_collective(Sequence& sequence, const SweepFile& sweep, std::size_t index,
                                 const std::atomic<bool>* stop);
 
-/// The columns that say of which case a patch is. P has `index`, `patch` and `weight`.
+/// Where the wheelset of a case is along the track, mm.
+double place_of_case(const SweepFile& sweep, std::size_t index);
+
+/// The columns that say of which case a patch is. P has `index`, `patch`, `weight` and `along`.
 template <class P> std::vector<ColumnOf<P>> columns_of_case() {
   return {{"case", "1", "of the sweep, from 0", [](const P& p) { return double(p.index); }},
           {"patch", "1", "of the case, from 1, the largest force first",
            [](const P& p) { return double(p.patch); }},
-          {"weight", "1", "how often the case occurs", [](const P& p) { return p.weight; }}};
+          {"weight", "1", "how often the case occurs", [](const P& p) { return p.weight; }},
+          {"along", "mm", "place of the wheelset along the track (position.along)",
+           [](const P& p) { return p.along; }}};
 }
 
 } // namespace bem_contact

@@ -6,6 +6,7 @@
 #include "bem_contact/geometry/conformity.hpp"
 #include "bem_contact/geometry/rail_frame.hpp"
 #include "bem_contact/geometry/rigid_slip.hpp"
+#include "bem_contact/geometry/sectioned_rail.hpp"
 #include "bem_contact/scene/choices.hpp"
 #include "bem_contact/scene/warning.hpp"
 #include "bem_contact/sequence/derivatives.hpp"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -109,7 +111,8 @@ struct SceneBodies {
   /// ProfileCurve::digest() of both profiles, as influence files have it; 0 of a patch.
   std::uint64_t rail_geometry = 0, wheel_geometry = 0;
   std::vector<double> wheel_s; ///< station on the upper body of each row, mm; empty where it has none
-  std::vector<Point2> rail_profile, wheel_profile; ///< Outlines: at approach 0, frame of the rows, mm
+  std::vector<Point2> rail_profile, wheel_profile;    ///< Outlines: at approach 0, frame of the rows, mm
+  std::shared_ptr<const SectionedRail> rail_sections; ///< of a rail of sections, as it is looked at
 };
 
 /// One scene solved with one model.

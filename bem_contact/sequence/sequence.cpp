@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/scene/derivative_inputs.hpp"
 #include "bem_contact/sequence/asked_error.hpp"
 #include "bem_contact/sequence/describe_case.hpp"
 #include "bem_contact/sequence/lateral/lateral_search.hpp"
@@ -376,10 +377,9 @@ SceneResult Sequence::solve(const SceneFile& scene, const std::atomic<bool>* sto
 Comparison Sequence::compare(const SceneFile& scene, std::vector<Model> models,
                              const std::atomic<bool>* stop) {
   const std::lock_guard turn(impl_->turn);
-  SceneFile without_derivatives = scene;
-  without_derivatives.derivatives.clear();
+  refuse_derivatives(scene, "a comparison");
   return compare_models(
-      without_derivatives, std::move(models),
+      scene, std::move(models),
       [&](const SceneFile& asked) { return impl_->answer(asked, {.stop = stop, .read_influence = true}); },
       [&](const SceneFile& asked, const FreeRolling& free, double creepage) {
         return impl_->solve_beyond(asked, free, creepage, stop);

@@ -73,9 +73,11 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SceneTable::KeyAxis, key, points)
 
 namespace wear {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DepthOverS, s, depth, width)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CaseWear, rail, wheel)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RowsOnSections, u, body, t)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CaseWear, rail, wheel, on_sections)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WornBody, points, depth, area)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WornPair, rail, wheel, revolutions, smoothing, smoothed_off)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WornSection, at, body, kink, features, worn)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WornPair, rail, wheel, revolutions, smoothing, smoothed_off, sections)
 } // namespace wear
 
 namespace task {

@@ -1,12 +1,13 @@
 #include "fem_influence/harmonic/body_stresses.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "fem_influence/harmonic/remainder.hpp"
+#include "bem_contact/inside/on_stations.hpp"
+#include "bem_contact/inside/remainder.hpp"
+#include "bem_contact/inside/settings.hpp"
 #include "fem_influence/harmonic/section_stresses.hpp"
 #include "fem_influence/shared/body_description.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -17,54 +18,17 @@ namespace bem_contact::fem {
 
 namespace {
 
+using inside::AreaPlan;
 using inside::AreaStresses;
 using inside::BelowSurface;
+using inside::LoadedInside;
 using inside::Passage;
 using inside::SurfaceTractions;
 
 /// 1. Elements of an elliptical load along each axis, and points of each for the mean.
 constexpr int elements_across = 24, points_of_mean = 6;
-/// 1 (mm). A station's share of a row that is less is none.
-constexpr double no_overlap = 1e-9;
-
-/// What the rows bear on each station: forces are kept.
-SurfaceTractions on_stations(const SurfaceTractions& t, std::span<const Station> stations, double width) {
-  SurfaceTractions out = t;
-  out.ds = width;
-  out.s.clear();
-  for (const Station& station : stations)
-    out.s.push_back(station.s);
-  for (std::vector<double>* field : {&out.px, &out.ps, &out.pn})
-    field->assign(stations.size() * static_cast<std::size_t>(t.columns), 0);
-  for (int row = 0; row < t.rows(); ++row) {
-    const auto from = static_cast<std::size_t>(row * t.columns);
-    const auto loaded = [&](std::size_t c) { return t.at(from + c) != std::array<double, 3>{}; };
-    bool any = false;
-    for (std::size_t c = 0; c < static_cast<std::size_t>(t.columns); ++c)
-      any = any || loaded(c);
-    if (!any)
-      continue;
-    const double s = t.s[static_cast<std::size_t>(row)];
-    double covered = 0;
-    for (std::size_t J = 0; J < stations.size(); ++J) {
-      const double overlap = std::min(s + t.ds / 2, stations[J].s + width / 2) -
-                             std::max(s - t.ds / 2, stations[J].s - width / 2);
-      if (overlap <= no_overlap)
-        continue;
-      covered += overlap;
-      for (std::size_t c = 0; c < static_cast<std::size_t>(t.columns); ++c) {
-        const std::size_t to = J * static_cast<std::size_t>(t.columns) + c;
-        out.px[to] += overlap / width * t.px[from + c];
-        out.ps[to] += overlap / width * t.ps[from + c];
-        out.pn[to] += overlap / width * t.pn[from + c];
-      }
-    }
-    if (covered < (1 - 1e-6) * t.ds)
-      throw InputError("The load leaves the strip", "its rows need stations",
-                       "Move it, or give the body a longer strip.");
-  }
-  return out;
-}
+/// 1 (smaller half width of the patch). The least depth at which the body is solved for, or that of stations.
+constexpr double least_depth_of_size = 0.2;
 
 /// Says whether the profile is above a point: beside the side of a thin body it is not.
 bool is_below(const ProfileCurve& curve, const BelowSurface& p) {
@@ -93,39 +57,6 @@ double load_size(const SurfaceTractions& t) {
   return out;
 }
 
-/// The depths of a column of points at which the body is solved for, besides those of the points.
-struct AreaPlan {
-  double least_depth = 0;                ///< mm
-  std::vector<BelowSurface> probes;      ///< the points that are deep enough, then those of `columns`
-  std::vector<int> own;                  ///< of each point its probe; -1: above the least depth, or beside
-  std::vector<std::size_t> first_helper; ///< of each point above it, the first of three probes; else 0
-
-  AreaPlan(const AreaStresses& area, const ProfileCurve& curve, double size, double station_width)
-      : least_depth(std::max(least_depth_of_size * size, least_depth_of_station * station_width)) {
-    for (const BelowSurface& p : area.points) {
-      own.push_back(p.depth >= least_depth && is_below(curve, p) ? static_cast<int>(probes.size()) : -1);
-      if (own.back() >= 0)
-        probes.push_back(p);
-    }
-    std::vector<std::pair<double, std::size_t>> known; // arc lengths that have helpers
-    for (std::size_t i = 0; i < area.points.size(); ++i) {
-      first_helper.push_back(0);
-      if (own[i] >= 0 || !is_below(curve, area.points[i]))
-        continue;
-      const double s = area.points[i].s;
-      const auto found = std::ranges::find(known, s, &std::pair<double, std::size_t>::first);
-      if (found != known.end()) {
-        first_helper[i] = found->second;
-        continue;
-      }
-      first_helper[i] = probes.size();
-      known.emplace_back(s, probes.size());
-      for (const double depth : helper_depths)
-        probes.push_back({s, depth * least_depth});
-    }
-  }
-};
-
 class BodyStresses {
 public:
   BodyStresses(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh,
@@ -149,9 +80,11 @@ public:
       for (const AreaStresses& area : loads[load].stresses.areas) {
         if (!area.section)
           std::ranges::for_each(area.points, [&](const BelowSurface& p) { require_below(p); });
-        const AreaPlan& plan =
-            plans.emplace_back(area, curve_, area.section ? area.section->size : load_size(tractions_[load]),
-                               body_.strip.station_width);
+        const double size = area.section ? area.section->size : load_size(tractions_[load]);
+        const AreaPlan& plan = plans.emplace_back(
+            area.points,
+            std::max(least_depth_of_size * size, inside::least_depth_of_station * body_.strip.station_width),
+            [&](const BelowSurface& p) { return is_below(curve_, p); });
         task.least_depth = std::min(task.least_depth, plan.least_depth);
         task.areas.push_back({.load = load, .points = plan.probes, .x = area.x});
       }
@@ -194,36 +127,19 @@ private:
     std::vector<int> columns;
     for (const double x : area.x)
       columns.push_back(static_cast<int>(std::lround((x - tractions.x0) / tractions.dx)));
-    std::vector<Passage> rest = halfspace_stresses(tractions, plan.probes, columns);
-    std::vector<double> error(plan.probes.size(), 0);
-    for (std::size_t i = 0; i < rest.size(); ++i)
-      for (std::size_t j = 0; j < rest[i].size(); ++j) {
-        rest[i][j] = difference(found[i][j], rest[i][j]);
+    inside::ProbedRemainder rest{halfspace_stresses(tractions, plan.probes, columns),
+                                 std::vector<double>(plan.probes.size(), 0)};
+    for (std::size_t i = 0; i < plan.probes.size(); ++i)
+      for (std::size_t j = 0; j < area.x.size(); ++j) {
+        rest.stresses[i][j] = inside::difference(found[i][j], rest.stresses[i][j]);
         if (coarse)
-          error[i] = std::max(error[i], von_mises(difference((*coarse)[i][j], found[i][j])));
+          rest.error[i] =
+              std::max(rest.error[i], halfspace::von_mises(inside::difference((*coarse)[i][j], found[i][j])));
       }
     area.curvature = mean_curvature(curve_, area.points);
-    for (std::size_t i = 0; i < area.points.size(); ++i) {
-      const BelowSurface& p = area.points[i];
+    for (const BelowSurface& p : area.points)
       area.positions.push_back(position_of(curve_, p));
-      if (!is_below(curve_, p)) {
-        constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        area.body.emplace_back(area.x.size(), halfspace::Stress{none, none, none, none, none, none});
-        area.error.push_back(0);
-        continue;
-      }
-      const Remainder at =
-          plan.own[i] >= 0
-              ? Remainder{rest[static_cast<std::size_t>(plan.own[i])],
-                          error[static_cast<std::size_t>(plan.own[i])]}
-              : towards_surface(std::span(rest).subspan(plan.first_helper[i], helper_depths.size()),
-                                p.depth / plan.least_depth, error[plan.first_helper[i]]);
-      Passage sum = area.flat[i];
-      for (std::size_t j = 0; j < sum.size(); ++j)
-        sum[j].add(1, at.stresses[j]);
-      area.body.push_back(std::move(sum));
-      area.error.push_back(at.error);
-    }
+    add_remainder(area, plan, rest);
   }
 
   BodyFile body_;

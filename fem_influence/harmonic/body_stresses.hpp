@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/inside/stresses_inside.hpp"
+#include "bem_contact/inside/loaded_inside.hpp"
 #include "bem_contact/profile/bodies/body_file.hpp"
 #include "bem_contact/profile/profile_curve.hpp"
 
@@ -26,19 +26,13 @@ inside::SurfaceTractions tractions_of(const EllipticalLoad& load, double poisson
 /// Says how far a run is: (done, all) solutions.
 using StressProgress = std::function<void(std::size_t, std::size_t)>;
 
-/// One load on a body, and what it does there.
-struct LoadedInside {
-  inside::SurfaceTractions tractions;
-  inside::StressesInside stresses;
-};
-
 /// Adds the body's stresses to those of the half-space under the same tractions, with their positions and
 /// errors. Only what both differ by is solved for: it is smooth, so near the surface, where elements of the
 /// mesh and of the tractions show, it follows from some depths, and the tractions of the surface are kept.
 /// The error of each point is the difference to a solution with one degree less, and what the way to the
 /// surface may be off. Matrices are factorized once for all loads; a load takes some 10 MB meanwhile. Throws
 /// InputError where tractions leave the strip, or for a mesh that does not fit.
-void add_body_stresses(std::span<LoadedInside> loads, const BodyFile& body, const ProfileCurve& curve,
+void add_body_stresses(std::span<inside::LoadedInside> loads, const BodyFile& body, const ProfileCurve& curve,
                        const std::filesystem::path& mesh, const StressProgress& progress);
 
 } // namespace bem_contact::fem

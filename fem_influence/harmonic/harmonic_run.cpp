@@ -2,11 +2,12 @@
 
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/stopwatch.hpp"
-#include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/stress_kernel_file.hpp"
 #include "fem_influence/harmonic/harmonic_solver.hpp"
 #include "fem_influence/harmonic/machine_system.hpp"
 #include "fem_influence/harmonic/run_files.hpp"
 #include "fem_influence/harmonic/run_plan.hpp"
+#include "fem_influence/harmonic/stress_run.hpp"
 #include "fem_influence/harmonic/task_distribution.hpp"
 #include "fem_influence/shared/body_description.hpp"
 #include "fem_influence/shared/memory.hpp"
@@ -59,11 +60,13 @@ Processes::Processes(bool companion) {
 /// A run that is ready to be computed: whatever is wrong with its input has been found.
 struct PreparedRun {
   RunPlan plan;
+  std::optional<StressPlan> stresses;            ///< if they are asked for
   std::vector<WavenumberTask> tasks;             ///< of the plan's, those still to be done
   std::optional<MeshedSystem> meshed, companion; ///< what this process begins with
   std::size_t cells = 0, unknowns = 0;           ///< of the run's section, where it is meshed
   std::unique_ptr<RunFiles> files;               ///< on the first process
   std::size_t done() const { return plan.tasks.size() - tasks.size(); }
+  std::size_t all() const { return plan.tasks.size() + (stresses ? stresses->wavenumber.size() : 0); }
 };
 
 MeshedSystem mesh_run(const Input& in, Timing& timing) {
@@ -81,6 +84,8 @@ PreparedRun prepare(const Input& in, const Processes& processes, Timing& timing)
   together([&] {
     output_target(in.output, OutputForm::whole_file);
     run.plan = plan_run(in.body, in.curve);
+    if (in.body.stress.depths > 0)
+      run.stresses = plan_stresses(in.body, in.curve);
     require_mesh_of(in.body, in.curve, in.mesh);
     // What is wrong with the mesh is found before anything is written.
     if (processes.companion_first)
@@ -145,7 +150,7 @@ void compute(const Input& in, PreparedRun& run, Processes& processes, const RunP
       [&](std::size_t t, std::vector<double> numbers) {
         run.files->write(run.tasks[t], std::move(numbers));
         if (progress)
-          progress(++done, run.plan.tasks.size());
+          progress(++done, run.all());
       });
 }
 
@@ -156,7 +161,7 @@ std::string method_of(const BodyFile& body, std::size_t cells) {
 }
 
 /// On the first process: the influence file from all finished wavenumbers, which are not kept any longer.
-void finish(const Input& in, PreparedRun& run, RunReport& report) {
+void finish(const Input& in, PreparedRun& run, const StressKernel& stresses, RunReport& report) {
   const KernelErrors errors = run.files->take_into(run.plan);
   InfluenceFunction& function = run.plan.function;
   report.betti_error = errors.betti;
@@ -171,8 +176,10 @@ void finish(const Input& in, PreparedRun& run, RunReport& report) {
   function.betti_error = report.betti_error;
   function.reaction_error = report.reaction_error;
   function.estimated_error = run.plan.companion ? report.error.total : -1;
-  write_influence_file(in.output, function);
+  write_influence_file(in.output, function, stresses);
   run.files->remove();
+  if (run.stresses)
+    std::filesystem::remove(partial_stresses(in.output));
 }
 
 } // namespace
@@ -188,8 +195,15 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
     Timing timing;
     PreparedRun run = prepare(in, processes, timing);
     if (first && progress)
-      progress(run.done(), run.plan.tasks.size());
+      progress(run.done(), run.all());
     compute(in, run, processes, progress, timing);
+    StressKernel stresses;
+    if (run.stresses)
+      stresses = run_stresses(*run.stresses, curve, mesh, output, fingerprint(body, curve, mesh),
+                              [&](std::size_t done) {
+                                if (progress)
+                                  progress(run.plan.tasks.size() + done, run.all());
+                              });
     report.cells = run.cells;
     report.unknowns = run.unknowns;
     report.stations = run.plan.function.station_count();
@@ -200,7 +214,7 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
                      sum_of_all(timing.factorization)};
     together([&] {
       if (first)
-        finish(in, run, report);
+        finish(in, run, stresses, report);
     });
     report.peak_memory = largest_of_all(peak_memory());
   }

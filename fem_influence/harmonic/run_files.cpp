@@ -27,7 +27,8 @@ std::string fingerprint(const BodyFile& body, const ProfileCurve& curve, const s
        {reference_radius_of(body), half_period_of(body), body.material.shear_modulus, body.material.poisson,
         body.strip.from, body.strip.to, body.strip.station_width, double(body.harmonic.degree),
         double(body.harmonic.border_levels), body.harmonic.shortest_dx,
-        double(body.harmonic.samples_per_decade), body.harmonic.remote_distance})
+        double(body.harmonic.samples_per_decade), body.harmonic.remote_distance, double(body.stress.depths),
+        body.stress.deepest, body.stress.beyond})
     hash.add(std::as_bytes(std::span(&value, 1)));
   return "harmonic 7 " + std::to_string(hash.value());
 }

@@ -38,6 +38,19 @@ BEM_CONTACT_TUNED(double, remote_distance, 20.0);
 /// 1. Harmonics n pi / L that are taken exactly, n = 1, 2, ... k g(k) is smooth in log k above them.
 BEM_CONTACT_TUNED(int, exact_harmonics, 8);
 
+// --- harmonic: stresses of the inside (THEORY.md, 10) ---
+
+/// MPa per MPa. Columns of a stress matrix, that of one wavenumber and depth for all places and stations, are
+/// left out as long as its Frobenius norm changes by less. At five times as much stresses below a Hertz
+/// contact were off by 2 % of the largest.
+BEM_CONTACT_TUNED(double, stress_tolerance, 1e-2);
+/// MPa per MPa. The same of the difference to one degree less, which tells how wrong stresses are.
+BEM_CONTACT_TUNED(double, stress_error_tolerance, 5e-2);
+/// 1 (of harmonic.samples_per_decade). Wavenumbers of stresses: they need not be as exact as the kernel.
+BEM_CONTACT_TUNED(double, stress_samples, 0.75);
+/// 1. The difference to one degree less hardly depends on the wavenumber: it is computed at every fourth.
+BEM_CONTACT_TUNED(int, stress_error_every, 4);
+
 // --- solid: the mesh (THEORY.md, 9) ---
 
 /// 1. A cell is halved when it is larger than asked for by this factor, so that a cell of exactly the size

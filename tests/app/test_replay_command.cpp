@@ -71,6 +71,13 @@ TEST_F(Replay, StepsThatStandStillAreSolvedOnce) {
   EXPECT_NEAR(column("note.time").back(), 0.99, 1e-12);
 }
 
+TEST_F(Replay, HasNoDerivatives) {
+  const Outcome found =
+      replay(std::vector<Step>(5), "", "derivatives = [\"load\"]\n" + patch_scene + columns);
+  EXPECT_EQ(found.code, 2);
+  EXPECT_THAT(found.err, HasSubstr("replay does not solve every step"));
+}
+
 /// Nothing that was not solved is farther from its solution than both stated errors and the tolerance say.
 TEST_F(Replay, WhatLiesBetweenIsWithinItsStatedErrors) {
   const std::vector<Step> steps = swaying(80);

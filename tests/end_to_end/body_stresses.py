@@ -86,6 +86,37 @@ class BodyStresses(unittest.TestCase):
         self.assertNotEqual(of_cases, of_halfspace)
         self.assertAlmostEqual(of_cases[1], of_one[0], delta=1e-3 * of_one[0])  # another set of waves
 
+    def patches(self, *command):
+        return json.loads(self.call_ok(*command, "--json"))["patches"]
+
+    def test_an_influence_file_with_stresses_needs_no_other_program(self):
+        f = self.folder
+        with_stresses = programs.SMALL_BLOCK + "[stress]\ndepths = 12\ndeepest = 12\n"
+        (f / "kernel.toml").write_text(with_stresses)
+        self.call_ok(f / "kernel.toml", "-o", f / "kernel.msh", program="mesh_body")
+        self.call_ok(f / "kernel.toml", f / "kernel.msh", "-o", f / "kernel.h5", program="fem_influence")
+        self.assertFalse(list(f.glob("kernel.h5.*")))  # partial files are gone
+        (f / "points.csv").write_text("s,depth\n" + "".join(f"{s},{depth}\n" for s in (-0.25, 0.25, 0.75) for depth in (0.75, 12)))
+        solved, kept = (self.patches("stresses", f / "result.h5", "--body", f / body, "--points", f / "points.csv")[0]
+                        for body in ("block.toml", "kernel.h5"))
+        for name in ("von_mises", "largest_shear"):  # by a mesh this coarse; the two halve its borders differently
+            self.assertAlmostEqual(kept[name] / solved[name], 1, delta=0.015)
+            self.assertNotEqual(kept[name], kept["halfspace_" + name])
+
+        (f / "cases.toml").write_text(SCENE + "[sweep]\nload.force = [600, 1000]\n")
+        flat, solved, kept = ([p["shakedown"] for p in self.patches("shakedown", f / "cases.toml", *words, "--yield-shear", 250)]
+                              for words in ((), ("--body", f / "block.toml"), ("--body", f / "kernel.h5")))
+        for by_halfspace, by_solution, by_file in zip(flat, solved, kept):
+            self.assertNotEqual(by_file, by_halfspace)
+            self.assertAlmostEqual(by_file / by_solution, 1, delta=0.005)
+        done = self.call("stresses", f / "result.h5", "--body", programs.ROOT / "data/influence/small_rail.h5")
+        self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+        self.assertIn("has no stresses of the inside", done.stderr)
+        (f / "deep.csv").write_text("s,depth\n0,30\n")
+        done = self.call("stresses", f / "result.h5", "--body", f / "kernel.h5", "--points", f / "deep.csv")
+        self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+        self.assertIn("to a depth of 12 mm", done.stderr)
+
     def test_what_cannot_be_answered_is_refused(self):
         f = self.folder
         (f / "sweep.toml").write_text(SCENE + "[sweep]\nload.force = [500, 1000]\n")

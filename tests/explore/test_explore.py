@@ -364,12 +364,15 @@ class Page(unittest.TestCase):
         self.assertEqual(self.show.value("scene.changes['position.rail_inclination']"), 0)
         self.assertEqual(self.show.value(said + ".length"), 0)
 
-    def test_messages_have_the_units_of_the_fields(self):
-        for key, value, words in (("position.yaw", 0.9, "position.yaw = 900 mrad (out of range) Give a value >= -100 mrad and <= 100 mrad"),
-                                  ("load.force", -3, "load.force = -0.003 kN (out of range)")):
+    def test_beside_a_message_stands_what_was_moved_in_the_unit_of_its_field(self):
+        for key, value, words in (("position.yaw", 0.9, "You moved: yaw, front to the right, 900 mrad."),
+                                  ("load.force", -3, "You moved: vertical force, -0.003 kN.")):
             self.show.value(f"moved('{key}', {value})")
             self.until("!element('problem').hidden")
-            self.assertIn(words, self.show.value("element('problem').innerText"))
+            said = self.show.value("element('problem').innerText")
+            self.assertIn(f"{key} = {value}", said)
+            self.assertIn("(out of range)", said)
+            self.assertIn(words, said)
             self.set_up("element('reset').click()")
 
     def test_a_slider_has_its_own_range_after_a_reset(self):

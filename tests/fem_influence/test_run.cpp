@@ -42,7 +42,8 @@ BodyFile flat_block() {
 constexpr const char* program_body = "[body]\nkind = \"block\"\nsize = 40.0\n"
                                      "[strip]\nfrom = -2.0\nto = 2.0\nstation_width = 0.5\n"
                                      "[harmonic]\ndegree = 2\nhalf_period = 120.0\nshortest_dx = 0.5\n"
-                                     "samples_per_decade = 6\nremote_distance = 20.0\n";
+                                     "samples_per_decade = 6\nremote_distance = 20.0\n"
+                                     "[stress]\ndepths = 5\n";
 
 std::string bytes(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -147,6 +148,27 @@ TEST_F(Run, a_stopped_run_goes_on_and_gives_the_same_file) {
   EXPECT_EQ(second.resumed, 5u);
   EXPECT_EQ(second.wavenumbers, first.wavenumbers);
   EXPECT_TRUE(bytes(whole) == bytes(stopped));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "stopped.h5.part"));
+}
+
+TEST_F(Run, one_that_stopped_among_its_stresses_goes_on_and_gives_the_same_file) {
+  BodyFile body = flat_block();
+  body.stress.depths = 5;
+  const ProfileCurve curve = straight_line(40);
+  const auto whole = folder_ / "whole.h5", stopped = folder_ / "stopped.h5";
+  run_harmonic(body, curve, folder_ / "block.msh", whole);
+  struct Stop {};
+  EXPECT_THROW(run_harmonic(body, curve, folder_ / "block.msh", stopped,
+                            [](std::size_t done, std::size_t all) {
+                              if (done == all - 2)
+                                throw Stop();
+                            }),
+               Stop);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "stopped.h5.stresses.part"));
+  const RunReport second = run_harmonic(body, curve, folder_ / "block.msh", stopped);
+  EXPECT_EQ(second.resumed, second.wavenumbers + second.companion_wavenumbers);
+  EXPECT_TRUE(bytes(whole) == bytes(stopped));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "stopped.h5.stresses.part"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "stopped.h5.part"));
 }
 

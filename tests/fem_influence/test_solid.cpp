@@ -1,7 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/halfspace/flat_strip.hpp"
+#include "bem_contact/inside/remainder.hpp"
 #include "fem_influence/harmonic/body_stresses.hpp"
-#include "fem_influence/harmonic/remainder.hpp"
 #include "fem_influence/solid/solid_body.hpp"
 #include "fem_influence/solid/solid_check.hpp"
 #include "fem_influence/solid/solid_solver.hpp"
@@ -300,7 +300,7 @@ TEST_F(Solid, stresses_below_one_element_are_those_of_the_section) {
       for (const double z : {0.5 - gauss, 0.5 + gauss})
         points.push_back({std::lerp(cell.from[1], cell.to[1], s), std::lerp(cell.from[2], cell.to[2], z)});
   write_block_mesh(folder_ / "section.msh", 0.5, 6, size);
-  std::vector<LoadedInside> loads{
+  std::vector<inside::LoadedInside> loads{
       {tractions, inside::halfspace_inside(tractions, inside::Side::rail, points)}};
   add_body_stresses(loads, body, straight_line(size), folder_ / "section.msh",
                     [](std::size_t, std::size_t) {});

@@ -1,6 +1,6 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/inside/remainder.hpp"
 #include "fem_influence/harmonic/body_stresses.hpp"
-#include "fem_influence/harmonic/remainder.hpp"
 #include "fem_influence/harmonic/section_stresses.hpp"
 #include "section_meshes.hpp"
 
@@ -17,8 +17,13 @@ namespace {
 using halfspace::Stress;
 using inside::AreaStresses;
 using inside::BelowSurface;
+using inside::difference;
+using inside::helper_depths;
+using inside::LoadedInside;
+using inside::Remainder;
 using inside::StressesInside;
 using inside::SurfaceTractions;
+using inside::towards_surface;
 
 void without_progress(std::size_t, std::size_t) {}
 

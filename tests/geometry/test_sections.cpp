@@ -175,6 +175,47 @@ Nearest nearest_by_brute_force(const WheelFrame& frame, double radius, const Hei
   return best;
 }
 
+/// A head whose radius grows along the track is a cone. Two sections are enough, since its generators are
+/// straight: each is the arc there, yawed and inclined as its generator.
+TEST(RailSections, OfAConeAreTheCone) {
+  constexpr double radius = 300, growth = 0.2, half_angle = 0.11, along = 100;
+  const auto section = [&](double u) {
+    const ProfileCurve arc = shapes::rail_arc(radius + growth * u, half_angle);
+    return BodySection{u, arc, {arc.s_begin(), arc.s_end()}};
+  };
+  const auto rail = surface({section(-400), section(600)});
+  const double t_middle = 0.5 * (rail->nodes().front() + rail->nodes().back());
+  for (const double u : {-399.0, -20.0, 0.0, 333.0})
+    for (const double t : rail->nodes()) {
+      const double r = radius + growth * u; // its centre is at z = r
+      const double phi = half_angle * (t - t_middle) / (rail->nodes().back() - t_middle);
+      const SectionedSurface::Point p = rail->at(u, t);
+      ASSERT_NEAR(std::hypot(p.position.y, r - p.position.z), r, 2e-6) << u << " " << t;
+      ASSERT_NEAR(p.by_u.y, growth * std::sin(phi), 1e-6) << u << " " << t;       // yaw of the generator
+      ASSERT_NEAR(p.by_u.z, growth * (1 - std::cos(phi)), 1e-6) << u << " " << t; // and its inclination
+    }
+  WheelsetPosition position = standing(-14, 0, along);
+  position.rail_inclination = 0;
+  position.rail_origin = Point2{753, 0};
+  const ProfileCurve arc = shapes::rail_arc(radius + growth * along, half_angle);
+  const WheelOnRail even = place(position, arc, s1002());
+  const auto cone = [&](double x, double y) { // z there
+    const double r = radius + growth * (along + x);
+    return std::abs(y - 753) < r * std::sin(half_angle) ? r - std::sqrt(r * r - (y - 753) * (y - 753))
+                                                        : std::numeric_limits<double>::infinity();
+  };
+  const Nearest direct = nearest_by_brute_force(even.wheel_frame(), 460, cone);
+  const Placed at = placed(position, rail, arc);
+  EXPECT_NEAR(at.pair.wheel_pose.origin.z - even.wheel_pose.origin.z, direct.distance, 1e-4);
+  EXPECT_LT(at.pair.wheel_pose.origin.z - even.wheel_pose.origin.z, direct.distance + 1e-6);
+  const TouchPoint& touch = at.touch.front();
+  const Vector3 place =
+      at.pair.sections->frame().point_in_track({touch.x, touch.position.y, touch.position.z});
+  const double phi = std::asin((place[1] - 753) / (radius + growth * (along + place[0])));
+  EXPECT_GT(std::abs(phi), 0.008);
+  EXPECT_NEAR(at.pair.sinking, growth * (1 - 1 / std::cos(phi)), 1e-7); // where y stays it rises
+}
+
 /// A nose that rises 1:10: a ruled surface along x.
 TEST(RailSections, ARisingNoseIsTouchedWhereBruteForceTouchesIt) {
   constexpr double rise = -0.1;

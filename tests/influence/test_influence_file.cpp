@@ -1,6 +1,7 @@
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/requirements.hpp"
+#include "bem_contact/influence/stress_kernel_file.hpp"
 #include "sample_function.hpp"
 
 #include <gmock/gmock.h>
@@ -70,6 +71,68 @@ TEST(InfluenceFile, BodyOfRevolutionKeepsItsRadius) {
   const InfluenceFunction g = read_influence_file(folder / "a.h5");
   EXPECT_EQ(g.invariance, Invariance::revolution);
   EXPECT_EQ(g.reference_radius, 460);
+}
+
+StressKernel sample_stresses() {
+  const auto numbers = [](std::size_t count) {
+    std::vector<float> out;
+    for (std::size_t i = 0; i < count; ++i)
+      out.push_back(0.25F * static_cast<float>(i % 7) - 0.5F);
+    return out;
+  };
+  const StressForm form{.wavenumber = {0, 0.5},
+                        .left_rank = {3, 1},
+                        .right_rank = {2, 1},
+                        .left = numbers(4 * 12),
+                        .right = numbers(3 * 3 * sample_function().station_count()),
+                        .core = numbers(2 * (6 + 1))};
+  return {.places = {{0, {0, 0}, 0}, {1, {1, 0}, 0.1}},
+          .depths = {1, 2},
+          .there = {1, 1, 1, 0},
+          .remainder = form,
+          .error = form};
+}
+
+TEST(InfluenceFile, StressesComeBackAsTheyWere) {
+  const TemporaryFolder folder;
+  const StressKernel stresses = sample_stresses();
+  write_influence_file(folder / "a.h5", sample_function(), stresses);
+  write_packed_influence_file(folder / "packed.h5", sample_function(), stresses);
+  for (const char* name : {"a.h5", "packed.h5"}) {
+    EXPECT_THAT(text_of(folder / name).substr(0, 100), HasSubstr("format 1.2"));
+    EXPECT_EQ(read_influence_file(folder / name).stations.size(), sample_function().stations.size());
+    const StressKernel read = read_stress_kernel(folder / name);
+    EXPECT_EQ(read.depths, stresses.depths);
+    EXPECT_EQ(read.there, stresses.there);
+    EXPECT_EQ(read.places[1].delta, 0.1);
+    for (const auto& [found, right] :
+         {std::pair{&read.remainder, &stresses.remainder}, {&read.error, &stresses.error}}) {
+      EXPECT_EQ(found->wavenumber, right->wavenumber);
+      EXPECT_EQ(found->left_rank, right->left_rank);
+      EXPECT_EQ(found->right_rank, right->right_rank);
+      EXPECT_EQ(found->core, right->core);
+      EXPECT_EQ(found->left, right->left);
+      EXPECT_EQ(found->right, right->right);
+    }
+    EXPECT_EQ(read.remainder.place_of(1).core, 6U);
+  }
+  write_influence_file(folder / "none.h5", sample_function());
+  EXPECT_TRUE(read_stress_kernel(folder / "none.h5").empty());
+}
+
+TEST(InfluenceFile, RefusesStressesThatAreNotWhole) {
+  const auto refused = [](const std::function<void(StressKernel&)>& change) {
+    StressKernel stresses = sample_stresses();
+    change(stresses);
+    return message_of([&] { validate(stresses, sample_function().station_count()); });
+  };
+  EXPECT_EQ(refused([](StressKernel&) {}), "no error");
+  EXPECT_THAT(refused([](StressKernel& k) { k.depths = {2, 1}; }), HasSubstr("do not ascend"));
+  EXPECT_THAT(refused([](StressKernel& k) { k.there.pop_back(); }), HasSubstr("whether the body is there"));
+  EXPECT_THAT(refused([](StressKernel& k) { k.remainder.left_rank[0] = 2; }), HasSubstr("do not fit"));
+  EXPECT_THAT(refused([](StressKernel& k) { k.error.right_rank[0] = -1; }), HasSubstr("numbers of columns"));
+  EXPECT_THAT(refused([](StressKernel& k) { k.remainder.left[3] = NAN; }), HasSubstr("not finite"));
+  EXPECT_THAT(refused([](StressKernel& k) { k.remainder.wavenumber[0] = 0.1; }), HasSubstr("wavenumbers"));
 }
 
 TEST(InfluenceFile, SameNumbersGiveTheSameBytes) {

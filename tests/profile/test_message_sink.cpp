@@ -18,9 +18,9 @@ TEST(MessageSink, says_each_message_once) {
   {
     const auto sink = install_message_sink();
     for (int k = 0; k < 3; ++k)
-      messages()->info("folder/rail.txt: smoothed");
+      say_info("folder/rail.txt: smoothed");
     sink->set_level(spdlog::level::off);
-    messages()->warn("rail.txt: its points scatter");
+    say_warning("rail.txt: its points scatter");
     sink->set_level(spdlog::level::trace);
     sink->finish();
   }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace bem_contact {
@@ -146,6 +147,16 @@ TEST(PlainProfile, refuses_what_is_no_profile) {
   EXPECT_THAT(refusal("0 0\n1 0\n2 0\n"),
               AllOf(HasSubstr("the profile is 2 mm wide"), HasSubstr("Convert it to mm.")));
   EXPECT_THAT(refusal("0 0\n1000 0\n2000 5\n"), HasSubstr("2000 mm wide"));
+  // Half a circle of radius 200 mm is one where somebody says that it is in mm.
+  std::string circle;
+  for (int i = -90; i <= 90; ++i)
+    circle += fmt::format("{:.9f} {:.9f}\n", 200 * std::sin(i * std::numbers::pi / 180),
+                          200 - 200 * std::cos(i * std::numbers::pi / 180));
+  EXPECT_THAT(refusal(circle), HasSubstr("400 mm wide"));
+  const ProfileCurve said =
+      parse_profile(circle, "p.txt", ProfileKind::rail,
+                    {.unit = ProfileUnit::mm, .profile_z = ProfileZ::down, .keep_origin = true});
+  EXPECT_NEAR(said.s_end() - said.s_begin(), 200 * std::numbers::pi, 0.01);
 }
 
 struct Mishap {

@@ -88,7 +88,7 @@ class Check(unittest.TestCase):
             bem_contact.check(SCENES / "conformal_small.toml", {"position.latteral": 1})
 
 
-class Sweep(unittest.TestCase):
+class SweepCase(unittest.TestCase):
     def same_as_the_program(self, scene):
         """Status, reason and every number of each case and patch, to the last bit. Returns what Python found."""
         found = bem_contact.sweep(scene)
@@ -112,6 +112,8 @@ class Sweep(unittest.TestCase):
             else:
                 self.assertEqual(found[name], column, name)
 
+
+class Sweep(SweepCase):
     def test_is_what_the_program_solves(self):
         self.same_as_the_program(SCENES / "cases_two_areas.toml")
 
@@ -185,6 +187,53 @@ class Sweep(unittest.TestCase):
                 bem_contact.sweep(scene)
         with self.assertRaisesRegex(bem_contact.InputError, "model"):
             bem_contact.sweep(SCENES / "cases_two_areas.toml", "elastic")
+
+
+PATCH = ("kind = 'patch'\nmotion = { friction = 0.3, xi = 2e-4 }\ngrid = { dx = 0.5, ds = 0.5, mx = 24, ms = 24 }\n"
+         "gap = { a = 1e-3, b = 1e-3 }\nload.force = 1e4\nsolver.model = 'halfspace'\n")
+RAIL = ("rail.profile = '60E1'\nwheel.profile = 'S1002'\nmotion.friction = 0.3\nmotion.xi = 1e-3\ngrid = { dx = 1, ds = 1 }\n"
+        "solver.model = 'halfspace'\n")
+
+
+class SweepOfDerivatives(SweepCase):
+    def test_its_columns_are_those_of_each_case(self):
+        derivatives = "derivatives = ['load', 'xi', 'friction']\n"
+        with tempfile.TemporaryDirectory() as folder:
+            scene = Path(folder) / "scene.toml"
+            scene.write_text(derivatives + PATCH + "[sweep]\nmotion.xi = [2e-4, 5e-4, 5e-2]\n")
+            found = self.same_as_the_program(scene)
+        for case, xi in enumerate((2e-4, 5e-4, 5e-2)):
+            alone = bem_contact.solve(derivatives + PATCH, {"motion.xi": xi}).derivatives
+            for name, by in alone.items():
+                for total in ("Fx", "Fz", "Mz", "approach", "T_gamma"):
+                    scale = max(abs(alone[other][total]) for other in alone)
+                    self.assertAlmostEqual(found[f"{total}_by_{name}"][case], by[total], delta=1e-5 * scale, msg=(total, name))
+        self.assertAlmostEqual(found["Fz_by_load"][0], 1, delta=1e-8)
+        self.assertGreater(found["load_above"][0], 0)
+
+    def test_others_refuse_them(self):
+        by = "derivatives = ['load']\n"
+        measured = {"xi": [1e-4, 5e-4, 1e-3], "Fx": [100, 400, 500]}
+        for shows, ask in (
+                ("a creep curve", lambda: bem_contact.creep_curves(by + PATCH)),
+                ("a creep curve", lambda: bem_contact.fit(by + PATCH, measured, "motion.friction")),
+                ("a comparison", lambda: bem_contact.compare(by + "load.force = 8e4\n" + RAIL, models=["halfspace", "tangent_plane"])),
+                ("a table", lambda: bem_contact.table(by + PATCH, {"load.force": [1e3, 2e3]})),
+                ("a load collective", lambda: bem_contact.fatigue(by + PATCH + "[sweep]\nload.force = [1e3, 2e3]\n")),
+                ("a profile that wears", lambda: bem_contact.wear(by + RAIL + "[sweep]\nload.force = [8e4, 9e4]\n")),
+                ("where the wheelset stands", lambda: bem_contact.wheelset("derivatives = ['lateral']\n" + RAIL.replace("motion.xi = 1e-3\n", "")
+                                                                           + "wheelset.force = 1e5\n")),
+                ("the points of a profile are a table", lambda: bem_contact.sweep("derivatives = ['rail_profile']\n" + RAIL
+                                                                                  + "[sweep]\nload.force = [8e4, 9e4]\n"))):
+            with self.assertRaisesRegex(bem_contact.InputError, shows):
+                ask()
+        with tempfile.TemporaryDirectory() as folder:
+            scene = Path(folder) / "scene.toml"
+            scene.write_text(by + "load.force = 8e4\n" + RAIL)
+            for words in (("study", scene, "-o", Path(folder) / "out"), ("shakedown", scene), ("wear", scene)):
+                said = subprocess.run([os.environ["BEM_CONTACT"], *map(str, words)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+                self.assertEqual(said.returncode, 2, words)
+                self.assertRegex(said.stderr, "does not show them", words)
 
 
 class Help(unittest.TestCase):

@@ -103,7 +103,7 @@ class Browser:
               const drawn = frame.querySelector("svg.main-svg");
               return !drawn || frame.offsetParent === null || Math.abs(drawn.getBoundingClientRect().width - widthOf(frame)) <= 1;
             };
-            const look = () => typeof figures === "undefined" || figures.every(follows) || performance.now() > until ? done()
+            const look = () => typeof widthOf === "undefined" || figures.every(follows) || performance.now() > until ? done()
                                                                                                             : setTimeout(look, 50);
             setTimeout(look, 50);
         })""")

@@ -74,10 +74,23 @@ TEST(Passage, SaysWhatIsWrong) {
               HasSubstr("passage.toml:5: the range of passage is not complete"));
   EXPECT_THAT(message("from = 0\nto = 10\nstep = -1\n"), HasSubstr("never ends"));
   EXPECT_THAT(message("from = 0\nto = 10\nstep = 1\nstepp = 1\n"), HasSubstr("Did you mean passage.step"));
+  for (const auto& [table, meant] : {std::pair{"from = 0\nto = 10\nstp = 1\n", "passage.step"},
+                                     {"form = 0\nto = 10\nstep = 1\n", "passage.from"},
+                                     {"from = 0\nto = 10\ncont = 3\n", "passage.count"},
+                                     {"pth = 'run.csv'\n", "passage.path"},
+                                     {"path = 'run.csv'\ncolums = { s = 'position.along' }\n",
+                                      "passage.columns"}}) // before what is missing without it
+    EXPECT_THAT(message(table, "s\n0\n20\n"), HasSubstr(std::string("Did you mean ") + meant)) << table;
   EXPECT_THAT(message("path = 3\n"), HasSubstr("names no file"));
   EXPECT_THAT(message("from = 0\nto = 9\nstep = 1\ncolumns = { s = 'note' }\n"), HasSubstr("without a path"));
   EXPECT_THAT(message("path = 'gone.csv'\n"), HasSubstr("gone.csv"));
   EXPECT_THAT(message("path = 'run.csv'\n", "load.force\n1e4\n"), HasSubstr("has no column position.along"));
+  EXPECT_THAT(message("path = 'run.csv'\n", "position.alng,load.force\n0,1e4\n"),
+              HasSubstr("Is it the column position.alng?"));
+  EXPECT_THAT(message_of([] {
+                parse_sweep_file(SceneText{uneven_wheel + "[pasage]\nfrom = 0\n", "passage.toml"});
+              }),
+              HasSubstr("Did you mean passage"));
   EXPECT_THAT(message("path = 'run.csv'\n", "position.along\n0\n5\n5\n"),
               AllOf(HasSubstr("run.csv:4"), HasSubstr("stands still or turns back")));
   EXPECT_THAT(message("path = 'run.csv'\nfrom = 0\nto = 30\nstep = 10\n", "position.along\n0\n20\n"),

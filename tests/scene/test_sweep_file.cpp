@@ -189,6 +189,15 @@ TEST(SweepFile, WhatIsWrongIsSaidWithItsLine) {
   EXPECT_THAT(message("load.force = [1]\nweight = [-1]\n"), HasSubstr("weights are positive numbers"));
   EXPECT_THAT(message("load.force = [1]\nweight = 2\n"), HasSubstr("sweep.weight is no list"));
   EXPECT_THAT(message(""), HasSubstr("no table [sweep]"));
+  // A misspelt key of the table is no list without values.
+  for (const auto& [given, meant] : {std::pair{"mod = \"zip\"\nload.force = [1]\n", "mode"},
+                                     {"tabel = \"a.csv\"\n", "table"},
+                                     {"table = \"a.csv\"\ncolums = { a = \"note\" }\n", "columns"},
+                                     {"load.force = [1]\nwieght = [2]\n", "weight"},
+                                     {"[[sweep.togehter]]\ngap.a = [1]\n", "together"}})
+    EXPECT_THAT(message(given), HasSubstr(fmt::format("Did you mean sweep.{}?", meant))) << given;
+  EXPECT_THAT(message("load.force = {frm = 1, to = 2, step = 1}\n"), HasSubstr("Did you mean from?"));
+  EXPECT_THAT(message("positon.lateral = [1]\n"), HasSubstr("unknown key 'positon.lateral'"));
   EXPECT_THAT(message("[[sweep.together]]\ngap.a = [1, 2]\ngap.b = [1]\n"),
               HasSubstr("gap.a has 2 values and gap.b has 1) Give lists of equal lengths."));
   EXPECT_THAT(message("gap.a = [1]\n[[sweep.together]]\ngap.a = [1, 2]\n"), HasSubstr("given twice"));

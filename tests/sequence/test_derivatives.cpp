@@ -135,11 +135,21 @@ struct Compared {
   std::string outside_name;
 };
 
-/// Differences of whole solutions to both sides.
+/// 1, over the largest derivative of its kind: what derivatives may be off by.
+constexpr double within = 1e-5;
+
+/// Differences of whole solutions to both sides. Those to one side miss a curved function by half of its
+/// curvature times the step, which half of the step tells: wheels on flanges and with influence files are
+/// curved so much that the approach's slope changes by 2 % within 4e-7 rad of roll.
 class Differences {
 public:
   Differences(HeldGrid& held, int which, double step)
       : here_(held.here()), step_(step), lower_(held.at(which, -step)), upper_(held.at(which, step)) {}
+  /// Before one_sided() is asked.
+  void take_half_steps(HeldGrid& held, int which) {
+    half_lower_ = held.at(which, -0.5 * step_);
+    half_upper_ = held.at(which, 0.5 * step_);
+  }
 
   bool keep_states() const { return lower_.states == here_.states && upper_.states == here_.states; }
   /// Another element has the largest pressure on one side: there pmax bends.
@@ -152,16 +162,24 @@ public:
   double central(const std::string& name) const {
     return (upper_.all.at(name) - lower_.all.at(name)) / (2 * step_);
   }
-  /// To both sides, in rising order.
+  /// How far the third derivative puts the central one off, by half of the step.
+  double error_of_central(const std::string& name) const {
+    return 4.0 / 3 * std::abs(central(name) - (half_upper_.all.at(name) - half_lower_.all.at(name)) / step_);
+  }
+  /// To both sides, in rising order, with and without the curvature taken out: the latter where a state
+  /// changes within half of the step.
   std::pair<double, double> one_sided(const std::string& name) const {
-    const double here = here_.all.at(name);
-    return std::minmax((here - lower_.all.at(name)) / step_, (upper_.all.at(name) - here) / step_);
+    const double here = here_.all.at(name), below = (here - lower_.all.at(name)) / step_,
+                 above = (upper_.all.at(name) - here) / step_,
+                 near_below = (here - half_lower_.all.at(name)) / (0.5 * step_),
+                 near_above = (half_upper_.all.at(name) - here) / (0.5 * step_);
+    return std::minmax({below, above, 2 * near_below - below, 2 * near_above - above});
   }
 
 private:
   Numbers here_;
   double step_;
-  Numbers lower_, upper_;
+  Numbers lower_, upper_, half_lower_, half_upper_;
 };
 
 /// The largest derivative of each kind of number, or what changes a number by a millionth within a step: less
@@ -188,18 +206,27 @@ Compared compare(const SceneFile& scene, Model model = Model::halfspace) {
     // the same step as that of the geometry's differences, so that these are off by as much
     const double unit = derivative_inputs(looked_at)[k].step;
     const bool foreseen = std::min(d.below, d.above) < 2 * unit; // it says that the solution bends here
-    const Differences differences(held, int(k), foreseen ? 4 * unit : unit);
+    Differences differences(held, int(k), foreseen ? 4 * unit : unit);
     const bool smooth = !foreseen && differences.keep_states();
+    if (!smooth || differences.peak_moves())
+      differences.take_half_steps(held, int(k));
     ++(smooth ? out.smooth : out.bent);
     const std::map<std::string, double> found = by_name(d), scales = scales_of(found, held.here(), unit);
     for (const auto& [name, value] : found) {
       if (std::isnan(value))
         continue;
       const double scale = scales.at(kind_of(name));
-      const auto [least, most] = differences.one_sided(name);
       const bool bends = !smooth || (kind_of(name) == "pmax" && differences.peak_moves());
-      const double off = !bends ? std::abs(value - differences.central(name)) / scale
-                                : std::max({least - value, value - most, 0.0}) / scale;
+      const auto outside = [&](std::pair<double, double> ends) {
+        return std::max({ends.first - value, value - ends.second, 0.0});
+      };
+      double off =
+          (bends ? outside(differences.one_sided(name)) : std::abs(value - differences.central(name))) /
+          scale;
+      if (!bends && off > within) {
+        differences.take_half_steps(held, int(k));
+        off = std::max(off - differences.error_of_central(name) / scale, 0.0);
+      }
       if (double& worst = bends ? out.outside : out.worst; off > worst) {
         worst = off;
         (bends ? out.outside_name : out.worst_name) = d.name + " " + name;
@@ -409,13 +436,17 @@ RandomCase random_case(unsigned seed) {
   return out;
 }
 
-/// DERIVATIVES_CASES of them, in tools/benchmarks/derivatives.
+/// From DERIVATIVES_FIRST on DERIVATIVES_CASES of them, in tools/benchmarks/derivatives.
 TEST(Derivatives, OfRandomCasesAreThoseOfDifferences) {
-  const char* given = std::getenv("DERIVATIVES_CASES");
-  const int cases = given ? std::atoi(given) : tests::sanitized ? 10 : 30; // one of each kind, or three
+  const auto given = [](const char* name, int usual) {
+    const char* text = std::getenv(name);
+    return text ? std::atoi(text) : usual;
+  };
+  const int first = given("DERIVATIVES_FIRST", 1),
+            cases = given("DERIVATIVES_CASES", tests::sanitized ? 10 : 30); // one of each kind, or three
   int smooth = 0, bent = 0, refused = 0;
   double worst = 0, outside = 0;
-  for (int seed = 1; seed <= cases; ++seed) {
+  for (int seed = first; seed < first + cases; ++seed) {
     const RandomCase one = random_case(unsigned(seed));
     try {
       const Compared c = compare(parse_scene_file(one.scene), one.model);
@@ -423,7 +454,7 @@ TEST(Derivatives, OfRandomCasesAreThoseOfDifferences) {
       bent += c.bent;
       worst = std::max(worst, c.worst);
       outside = std::max(outside, c.outside);
-      EXPECT_LT(c.worst, 1e-5) << seed << ": " << c.worst_name << "\n" << one.scene;
+      EXPECT_LT(c.worst, within) << seed << ": " << c.worst_name << "\n" << one.scene;
       EXPECT_LT(c.outside, 1e-3) << seed << ": " << c.outside_name << "\n" << one.scene;
     } catch (const Error& error) {
       ++refused;
@@ -434,7 +465,8 @@ TEST(Derivatives, OfRandomCasesAreThoseOfDifferences) {
       "{} cases: {} inputs without a change of state nearby, worst {:.1e}; {} with one, at most {:.1e} "
       "outside of both one-sided differences; {} refused\n",
       cases, smooth, worst, bent, outside, refused);
-  EXPECT_GT(smooth, 10 * bent);
+  if (cases >= 10) // one of each kind
+    EXPECT_GT(smooth, 10 * bent);
 }
 
 } // namespace

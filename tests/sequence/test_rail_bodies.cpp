@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <numbers>
 
 namespace {
 
@@ -114,6 +115,57 @@ TEST(RailBodies, ShareTheLoadByTheirSprings) {
       on_bodies(folder.path(), two_heads + std::string("rail.bodies = [ { name = 'inner', "
                                                        "stiffness = 1e10 } ]\n"));
   EXPECT_NEAR(shares(stiff)[0], shares(lowered(0, 0))[0], 5);
+}
+
+/// A check rail or keeper: its edge is round, and its face upright.
+void write_check_rail(const std::filesystem::path& file) {
+  constexpr double radius = 13, y = -83.9, z = 21.2; // of the edge, and where its middle is
+  std::ofstream out(file);
+  const auto add = [&](double at_y, double at_z) { out << fmt::format("{:.12f} {:.12f}\n", at_y, at_z); };
+  for (int i = 40; i > 0; --i)
+    add(y - i, z - radius);
+  for (int i = 0; i <= 180; ++i)
+    add(y + radius * std::sin(0.5 * i * std::numbers::pi / 180),
+        z - radius * std::cos(0.5 * i * std::numbers::pi / 180));
+  for (int i = 1; i <= 30; ++i)
+    add(y + radius + 1e-4 * i, z + 0.5 * i);
+}
+
+/// The flange's back comes to a check rail beside the running rail. Until it touches nothing changes, though
+/// the upright face is near; then both bear the wheel, and in the end the check rail lifts it.
+TEST(RailBodies, ACheckRailIsTouchedByTheFlangesBack) {
+  const TemporaryFolder folder;
+  write_part(folder.path() / "rail.txt", -100, 100);
+  write_check_rail(folder.path() / "check.txt");
+  const auto solved = [&](double lateral, const char* rails) {
+    return on_bodies(folder.path(), fmt::format("load.force = 80000\nmotion.frictionless = true\n"
+                                                "position.lateral = {}\n{}\n",
+                                                lateral, rails));
+  };
+  const char *const alone = "rail.profile = 'rail.txt'",
+                    *const both =
+                        "rail.sections = [ { at = 0, profile = 'rail.txt', body = 'rail' }, { at = 0, "
+                        "profile = 'check.txt', body = 'check' } ]";
+  for (const double lateral : {0.8, 0.3}) {
+    const SceneResult one = solved(lateral, alone), two = solved(lateral, both);
+    for (const char* name : {"pmax", "Fy", "approach", "vertical"})
+      EXPECT_NEAR(quantity(name).value(two), quantity(name).value(one),
+                  1e-5 * (1 + std::abs(quantity(name).value(one))))
+          << name << " " << lateral;
+    EXPECT_EQ(shares(two)[1], 0) << lateral;
+  }
+  const SceneResult shared = solved(-0.08, both);
+  const auto [on_rail, on_check] = shares(shared);
+  EXPECT_GT(on_rail, 1000);
+  EXPECT_GT(on_check, 1000);
+  EXPECT_NEAR(on_rail + on_check, 80000, 1);
+  for (std::size_t i = 0; i < shared.result.patches.size(); ++i)
+    if (shared.patch_places[i].body == 2) {
+      EXPECT_NEAR(shared.result.patches[i].delta, 1.2, 0.05);
+    }
+  const SceneResult lifted = solved(-1, both);
+  EXPECT_EQ(shares(lifted)[0], 0);
+  EXPECT_LT(quantity("vertical").value(lifted), quantity("vertical").value(shared) - 1);
 }
 
 TEST(RailBodies, SayWhatIsWrong) {

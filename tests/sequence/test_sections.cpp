@@ -70,6 +70,47 @@ TEST(ContactOnSections, ThatAreEqualIsThatOfTheProfile) {
   }
 }
 
+/// A rail that leads to the side is the same rail under a wheelset that is turned the other way: across the
+/// rail its section is narrower by the cosine.
+TEST(ContactOnSections, ThatLeadToTheSideAreTheYawedProfile) {
+  const TemporaryFolder folder;
+  constexpr double slope = 0.02, at = 753;
+  const double angle = std::atan(slope), cosine = std::cos(angle);
+  const auto write = [&](const char* name, double scale, double aside) {
+    std::ofstream out(folder.path() / name);
+    for (const CurvePoint& p : points_along(named_profile("60E1", ProfileKind::rail), 0.25))
+      out << fmt::format("{:.12f} {:.12f}\n", scale * p.position.y + aside, p.position.z);
+  };
+  write("a.txt", 1, -300 * slope);
+  write("b.txt", 1, 0);
+  write("c.txt", 1, 500 * slope);
+  write("across.txt", cosine, 0);
+  for (const double lateral : {0.0, 4.0}) {
+    const std::string load = "load.force = 80000\nmotion.frictionless = true\nsolver.model = 'halfspace'\n";
+    const SceneResult aside = certified_on(
+        folder.path(),
+        fmt::format("position.lateral = {}\n"
+                    "rail.sections = [ {{ at = -300, profile = 'a.txt' }}, {{ at = 0, profile = 'b.txt' }}, "
+                    "{{ at = 500, profile = 'c.txt' }} ]\n",
+                    lateral),
+        load);
+    SceneFile turned = parse_scene_file(
+        {load +
+             fmt::format("wheel.profile = 'S1002'\nrail.profile_z = 'down'\nrail.unit = 'mm'\n"
+                         "rail.place = 'absolute'\nrail.y = {:.12f}\ngrid = {{ dx = 0.6, ds = 0.4 }}\n"
+                         "position = {{ lateral = {:.12f}, yaw = {:.15f} }}\nrail.profile = 'across.txt'\n",
+                         cosine * at, cosine * lateral, -angle),
+         "turned.toml"});
+    turned.folder = folder.path();
+    const SceneResult yawed = Sequence().solve(turned);
+    // The elements lie along the track here and along the rail there.
+    EXPECT_NEAR(number(aside, "vertical"), number(yawed, "vertical"), 1e-4) << lateral;
+    EXPECT_NEAR(number(aside, "approach"), number(yawed, "approach"), 1e-4) << lateral;
+    EXPECT_NEAR(number(aside, "pmax"), number(yawed, "pmax"), 0.01 * number(yawed, "pmax")) << lateral;
+    EXPECT_NEAR(number(aside, "area"), number(yawed, "area"), 0.02 * number(yawed, "area")) << lateral;
+  }
+}
+
 /// Without friction the wheel presses a nose that rises 1:10 along the normal of its surface, and the same
 /// nose turned to the horizontal has the same pressures.
 TEST(ContactOnSections, OfARisingNoseIsThatOfTheNoseTurnedLevel) {

@@ -7,6 +7,7 @@ endif()
 find_program(SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
 find_program(NODE NAMES node nodejs REQUIRED)
 find_file(PLOTLY_LIBRARY NAMES plotly.min.js plotly.js PATHS /usr/share/python3-plotly NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH REQUIRED)
+find_program(ESBUILD esbuild NO_CMAKE_FIND_ROOT_PATH REQUIRED)
 
 include(tools/cmake/headers.cmake)
 conformal_host_headers(boost fmt nlohmann spdlog toml++ xxhash.h)

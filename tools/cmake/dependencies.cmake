@@ -44,6 +44,10 @@ find_file(PLOTLY_LIBRARY NAMES plotly.min.js plotly.js PATHS /usr/share/python3-
 if(NOT PLOTLY_LIBRARY)
   message(WARNING "plotly.js was not found (`bem_contact report` draws with it) run tools/install_packages")
 endif()
+find_program(ESBUILD esbuild)
+if(NOT ESBUILD)
+  message(WARNING "esbuild was not found (it makes one script of the modules of a page) run tools/install_packages")
+endif()
 
 if(CONFORMAL_TESTS)
   find_package(GTest REQUIRED)

@@ -67,11 +67,19 @@ function(conformal_opened_library room name library)
   install(TARGETS ${target} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_SKIP)
 endfunction()
 
-# conformal_join(<name> FILE...): the files one after the other are the file <name> in the folder of the build.
-function(conformal_join name)
-  list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ OUTPUT_VARIABLE files)
-  set(joined ${CMAKE_CURRENT_BINARY_DIR}/${name})
-  add_custom_command(OUTPUT ${joined} COMMAND ${CMAKE_COMMAND} -E cat ${files} > ${joined} DEPENDS ${files} COMMENT "")
+# conformal_bundle(<module.js> OPTION...): the module, with all that it imports, is one script of this name in the folder of
+# the build; empty without esbuild. Its names stay those of the sources, so that tests and browsers can ask for them.
+function(conformal_bundle module)
+  set(script ${CMAKE_CURRENT_BINARY_DIR}/${module})
+  if(NOT ESBUILD)
+    file(WRITE ${script} "")
+    return()
+  endif()
+  file(GLOB modules CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bem_contact/report/*.js ${PROJECT_SOURCE_DIR}/bem_contact/explore/*.js)
+  add_custom_command(OUTPUT ${script}
+    COMMAND ${ESBUILD} ${module} --bundle --format=esm --charset=utf8 --target=es2022 --log-level=warning --outfile=${script} ${ARGN}
+    WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}
+    DEPENDS ${modules} ${PROJECT_SOURCE_DIR}/bem_contact/record/words.json COMMENT "")
 endfunction()
 
 # conformal_embed(<variable> <prefix> FILE...): files become part of a room. <variable> is a source for it: FILE's bytes,

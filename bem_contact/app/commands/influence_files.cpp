@@ -10,6 +10,7 @@
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/packed_file.hpp"
 #include "bem_contact/influence/prepared_files.hpp"
+#include "bem_contact/influence/stress_kernel_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 
 #include <CLI/CLI.hpp>
@@ -115,7 +116,7 @@ void put(const PreparedFile& one, const fs::path& target) {
   verified_bytes(one);
   const TemporaryFolder folder;
   const fs::path made = folder / "made.h5";
-  write_influence_file(made, read_influence_file(one.file));
+  write_influence_file(made, read_influence_file(one.file), read_stress_kernel(one.file));
   if (!file_exists(target))
     return write_whole(target,
                        [&](std::ostream& out) { out << std::ifstream(made, std::ios::binary).rdbuf(); });
@@ -142,7 +143,8 @@ void get_files(const FilesRequest& request) {
 void pack_file(const FilesRequest& request) {
   require_outputs({request.file}, {{"--output", request.packed, OutputForm::whole_file, true}});
   require_replaceable_influence(request.packed);
-  write_packed_influence_file(request.packed, read_influence_file(request.file));
+  write_packed_influence_file(request.packed, read_influence_file(request.file),
+                              read_stress_kernel(request.file));
   print_out("{}: {:.2f} MB of {:.2f}\n", request.packed,
             1e-6 * static_cast<double>(fs::file_size(request.packed)),
             1e-6 * static_cast<double>(fs::file_size(request.file)));

@@ -8,6 +8,7 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/scene/derivative_inputs.hpp"
 #include "bem_contact/scene/sweep_check.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/sequence/sequence.hpp"
@@ -131,7 +132,7 @@ void of_sweep(const ShakedownArguments& arguments, const SceneText& text) {
   if (arguments.body.empty())
     return say(shakedown_of(sweep, properties, threads), properties, arguments, head);
   const auto in_body = [&](std::span<const SceneResult> results) {
-    return shakedown_in_body(results, arguments.body, properties);
+    return shakedown_in_body(results, arguments.body, properties, threads);
   };
   say(shakedown_of(sweep, properties, in_body, shakedown::most_cases_in_body), properties, arguments, head);
 }
@@ -142,6 +143,7 @@ void of_scene(const ShakedownArguments& arguments) {
   if (given.scene.wheelset.force)
     throw InputError("There is no shakedown of a wheelset", "each of its wheels has its own",
                      "Solve it with bem_contact wheelset, and give one wheel's scene.");
+  refuse_derivatives(given.scene, "shakedown");
   const SceneResult result = Sequence().solve(given.scene);
   warn(result.warnings);
   if (!certified(result))
@@ -199,10 +201,10 @@ Command add_shakedown(CLI::App& program) {
                    "Residual and thermal stress of the body (CSV: depth, perhaps s, mm; any of "
                    "xx,ss,nn,xs,xn,sn, MPa)")
       ->type_name(file_option);
-  line->add_option(
-          "--body", a.body,
-          "Body file (TOML) of the rail or the wheel: with the stresses in it, not in a half-space, by "
-          "mesh_body and fem_influence")
+  line->add_option("--body", a.body,
+                   "Influence file (HDF5) with stresses, or body file (TOML, by mesh_body and "
+                   "fem_influence), of the rail "
+                   "or the wheel: with the stresses in it, not in a half-space")
       ->type_name(file_option);
   line->add_flag(
       "--in-plane", a.in_plane,

@@ -26,7 +26,7 @@ what fem_influence --stresses wrote, which has those of the real body beside the
     bem_contact stresses rolling.h5
 You should see a line for the patch: its largest von Mises and shear stress, and how deep they lie.
 
-With --body BODY.toml they are those of the real rail or wheel, beside the half-space's. What to do with them:
+With --body they are those of the real rail or wheel, beside the half-space's. What to do with them:
 data/tutorial/stresses.md.)";
 
 struct StressesArguments {
@@ -97,10 +97,10 @@ Command add_stresses(CLI::App& program) {
   line->add_option("file", a.file, "Result of bem_contact solve -o, or stresses of fem_influence (HDF5)")
       ->required();
   line->add_flag("--wheel", a.wheel, "Of the wheel in place of the rail");
-  line->add_option(
-      "--body", a.body,
-      "Body file (TOML) of the rail or the wheel: stresses in it, not in a half-space, by mesh_body "
-      "and fem_influence");
+  line->add_option("--body", a.body,
+                   "Influence file (HDF5) with stresses, or body file (TOML, by mesh_body and "
+                   "fem_influence), of the rail or "
+                   "the wheel: stresses in it, not in a half-space");
   line->add_option("--points", a.points, "Points of your own: a CSV file with s,depth (mm)");
   add_json(*line, a.json);
   add_output_option(*line, "-o,--output", a.output, "Write all tensors (HDF5)");

@@ -6,6 +6,7 @@
 #include "bem_contact/base/toml.hpp"
 #include "bem_contact/scene/absolute_names.hpp"
 #include "bem_contact/scene/command_tables.hpp"
+#include "bem_contact/scene/derivative_inputs.hpp"
 #include "bem_contact/scene/surface_states.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 
@@ -119,6 +120,8 @@ StudyCase study_case(SceneText text) {
   for (const auto& [name, node] : parsed(out.text.toml, out.text.source))
     out.tables.emplace_back(name == "passage" ? "sweep" : name.str()); // which solves the cases of both
   schema_of(out).read(out.text.toml, out.text.source);
+  if (out.has("derivatives"))
+    refuse_derivatives("a study");
   return out;
 }
 

@@ -76,6 +76,7 @@ void require_sweep_outputs(const SweepFile& sweep, const SweepRequest& request,
 }
 
 AskedSweep asked_sweep(const SweepRequest& request, SweepFile sweep) {
+  columns_of(sweep); // refuses derivatives that are no columns
   AskedSweep asked{request.scene, std::move(sweep), request.model, request.strict};
   asked.origins = origins_of(asked.sweep, request.options());
   asked.digest = digest_of(asked.origins);
@@ -84,10 +85,9 @@ AskedSweep asked_sweep(const SweepRequest& request, SweepFile sweep) {
 
 void say_what_is_kept(const SweepFile& sweep) {
   if (!sweep.fields && !sweep.keeps_fields())
-    messages()->info(
-        "of {} cases only the totals are kept: fields = true in [sweep] keeps the fields, some 0.2 MB "
-        "a case",
-        sweep.size());
+    say_info("of {} cases only the totals are kept: fields = true in [sweep] keeps the fields, some 0.2 MB "
+             "a case",
+             sweep.size());
 }
 
 ExitCode say_what_was_found(const AskedSweep& asked, const SweepRequest& request, const std::string& head) {

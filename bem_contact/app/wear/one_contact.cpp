@@ -5,6 +5,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/hdf5.hpp"
+#include "bem_contact/scene/derivative_inputs.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
@@ -35,6 +36,7 @@ WornContact worn(std::string name, const SceneResult& result, double axle_force,
 }
 
 std::vector<WornContact> worn_contacts(const SceneFile& scene, const wear::Law& law) {
+  refuse_derivatives(scene, "the wear of a contact");
   if (!scene.wheelset.force) {
     const SceneResult result = Sequence().solve(scene);
     warn(result.warnings);

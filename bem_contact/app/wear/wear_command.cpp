@@ -46,6 +46,10 @@ and wear.h5. If the program is stopped, give the same command again: it goes on 
 With --jobs several processes share the cases of a step; then chunks of cases start cold, and the wear is the same within the
 certificate, whatever the number of processes.
 
+On a rail of sections (a crossing, a blade) the collective is a passage along the track ([passage]): each section wears by what
+passes beside it. Then the folder has the profiles of all sections, stretch.csv, and the scene of each step (scene_0001.toml). Example:
+    bem_contact new --crossing 9 --wheel S1002 --rail 60E1 -o crossing.toml && bem_contact wear crossing.toml -o worn --depth 0.05
+
 A scene without [sweep] is one contact, or both wheels of a wheelset. What it wears away is printed, by km of the wheel and by
 a million axles and a million gross tonnes (MGT) on the rail; the profiles stay. Example:
     bem_contact wear data/scenes/curved_track.toml
@@ -131,13 +135,13 @@ ExitCode study(const WearArguments& arguments, const SceneText& scene) {
   if (!lock.warning().empty())
     warn({lock.warning()});
   const wear::WornPair unworn = wear::unworn(study.scene());
-  WearState state = read_wear(made, digest).value_or(WearState{});
+  WearState state = read_wear(made, digest, unworn).value_or(WearState{});
   WearInfluence influence(study.scene(), unworn, folder, arguments.influence);
   const Stopwatch watch;
   const auto keep = [&](const wear::WornPair& pair) {
     state.pair = pair;
     state.history.push_back(wear::history_row(state.step() + 1, pair, study.scene().position.wheel_radius));
-    write_wear(made, digest, state);
+    write_wear(made, digest, scene, state);
   };
   if (state.history.empty())
     keep(unworn);

@@ -32,12 +32,18 @@ inline constexpr std::string_view lock_file_name = "wear.lock";
 /// The name of a body's file of a step: rail_0001.txt. `extension`: txt, h5 or toml.
 std::string step_file(std::string_view body, int step, std::string_view extension);
 
+/// The same of a section of the rail, from 0: rail_0001_001.txt.
+std::string section_file(std::size_t index, int step);
+
 /// Writes profiles of this step (rail_0001.txt), wear.csv, and last the state (wear.h5), each whole or not
-/// at all: a kill at any moment leaves the state of a finished step.
-void write_wear(OutputFolder& folder, const std::string& digest, const WearState& state);
+/// at all: a kill at any moment leaves the state of a finished step. Of a rail of sections a profile each,
+/// what is gone from them by place (stretch.csv), and `scene` with these profiles (scene_0001.toml).
+void write_wear(OutputFolder& folder, const std::string& digest, const SceneText& scene,
+                const WearState& state);
 
 /// The state of a folder; nothing where no first state was written. Throws InputError if it is of another
-/// scene or damaged, and if a file that wear has written there was changed since.
-std::optional<WearState> read_wear(const OutputFolder& folder, const std::string& digest);
+/// scene or damaged, and if a file that wear has written there was changed since. `unworn`: of the scene.
+std::optional<WearState> read_wear(const OutputFolder& folder, const std::string& digest,
+                                   const wear::WornPair& unworn);
 
 } // namespace bem_contact::app

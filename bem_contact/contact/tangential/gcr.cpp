@@ -36,7 +36,7 @@ void Gcr::use_elements(const std::vector<int>& elements) {
 
 void Gcr::forget() {
   is_kept_.assign(is_kept_.size(), 0);
-  oldest_ = 0;
+  oldest_ = used_ = 0;
 }
 
 void Gcr::begin(const VectorXd& rhs, const Border& border) {

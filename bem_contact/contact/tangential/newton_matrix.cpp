@@ -65,6 +65,13 @@ void NewtonMatrix::step(const VectorXd& v, VectorXd& result) const {
   }
 }
 
+void NewtonMatrix::begin_anew() const {
+  if (own_gcr_)
+    own_gcr_->forget();
+  if (own_few_)
+    few_->factors.reset();
+}
+
 double NewtonMatrix::product_work() const {
   return few_ ? elements_.contact.size() : system_.product_work(box_->boxes().rows()) * box_->size();
 }

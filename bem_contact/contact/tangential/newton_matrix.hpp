@@ -27,6 +27,8 @@ public:
   /// the larger system. Not finite where that is singular. Counts products and names the solver in `state`.
   BorderedSolution newton_step(const Linearisation& at, const Border& border, double tolerance,
                                WorkBudget& work, TangentialState& state) const;
+  /// Of many right sides: what former ones left is not used again.
+  void begin_anew() const;
 
 private:
   struct Asked {

@@ -129,6 +129,19 @@ void add_harmonic(Schema& s, BodyFile::Harmonic& harmonic) {
         {.unit = "mm", .at_least = 0});
 }
 
+void add_stress(Schema& s, BodyFile::Stress& stress) {
+  SchemaTable t(s, "stress");
+  t.add("depths", stress.depths,
+        "Stresses inside the body under unit loads are kept as well, in so many depths (20 are a good "
+        "choice); 0: "
+        "none",
+        {.at_least = 0, .at_most = 100});
+  t.add("deepest", stress.deepest, "The deepest of them; they get denser towards the surface",
+        {.unit = "mm", .above = 0, .at_most = 200});
+  t.add("beyond", stress.beyond, "So far beside the strip there are points, too",
+        {.unit = "mm", .at_least = 0});
+}
+
 void add_solid(Schema& s, BodyFile::Solid& solid) {
   SchemaTable t(s, "solid");
   t.add("size", solid.size,
@@ -161,6 +174,7 @@ Schema schema_of(BodyFile& f, double& young) {
   add_strip(s, f.strip);
   add_mesh(s, f.mesh);
   add_harmonic(s, f.harmonic);
+  add_stress(s, f.stress);
   add_solid(s, f.solid);
   return s;
 }
@@ -203,6 +217,14 @@ void cross_check(const BodyFile& f, const Schema& s) {
     held_ok("bore", "rim");
   if (body.kind == BodyKind::block)
     held_ok("base", "sides");
+  constexpr int least_depths = 4; // between which is interpolated
+  const double least = 4 * strip.station_width;
+  if (f.stress.depths != 0 && f.stress.depths < least_depths)
+    s.refuse("stress.depths", "between fewer than four stresses cannot be interpolated",
+             "Give 20, or 0 for none.");
+  if (f.stress.depths != 0 && f.stress.deepest < least)
+    s.refuse("stress.deepest", "the least depth is 1.5 stations, and the deepest lies well below it",
+             fmt::format("Give {:g} mm or more.", least));
   const double reach = body.kind == BodyKind::block ? body.size
                        : body.kind == BodyKind::disc || body.kind == BodyKind::bore
                            ? std::numbers::pi / 2 * body.radius

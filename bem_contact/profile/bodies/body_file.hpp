@@ -94,6 +94,12 @@ struct BodyFile {
     double remote_distance =
         0; ///< the remote section lies between one and two times this from the strip; 0: automatic
   } harmonic;
+  /// Stresses of the inside under unit loads, which an influence file may have beside its kernel.
+  struct Stress {
+    int depths = 0;      ///< how many; 0: none are computed
+    double deepest = 15; ///< mm; the others get denser towards 1.5 stations
+    double beyond = 5;   ///< so far beside the strip, mm
+  } stress;
   struct Solid {
     double size = 2.5;         ///< element size on the strip of the 3-D mesh, before it is refined, mm
     double edge_angle = 15;    ///< edges of that mesh on an arc turn by at most so much, deg

@@ -41,8 +41,7 @@ void read_key(std::string_view key, std::string_view value, const std::string& s
   if (key == "ColumnDef")
     read_columns(value, header);
   if ((key == "XOffset" || key == "YOffset" || key == "Tilt") && values.size() == 1 && values[0] != 0)
-    messages()->warn("{}: {} = {} is not applied: the points are taken as they stand", source, key,
-                     values[0]);
+    say_warning("{}: {} = {} is not applied: the points are taken as they stand", source, key, values[0]);
 }
 
 /// One profile of a file.

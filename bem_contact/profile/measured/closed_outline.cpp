@@ -84,8 +84,8 @@ void open_outline(std::vector<Point2>& points, const std::string& source, Profil
   std::rotate(points.begin(), std::ranges::find_if(points, below), points.end());
   std::rotate(points.begin(), std::ranges::find_if_not(points, below), points.end());
   std::erase_if(points, below);
-  messages()->warn("{}: the outline is closed: its lower half, with the base at z = {:.4g} mm, is left out",
-                   source, *base);
+  say_warning("{}: the outline is closed: its lower half, with the base at z = {:.4g} mm, is left out",
+              source, *base);
 }
 
 } // namespace bem_contact

@@ -62,7 +62,7 @@ bool thin_scan(std::vector<Point2>& points, const std::string& source) {
   const double scatter = scatter_about(line, points, count);
   if (scatter > largest_scan_scatter)
     return false;
-  messages()->warn(
+  say_warning(
       "{}: its points scatter by {:.2g} um and lie {:.2g} mm apart, so that they run back and forth: each "
       "{} became their mean, {:.2g} mm apart",
       source, 1e3 * scatter, path_length(line) / static_cast<double>(points.size()), count,

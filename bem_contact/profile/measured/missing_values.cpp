@@ -129,9 +129,9 @@ void drop_missing_values(std::vector<Point2>& points, const std::string& source)
   }
   if (!first)
     return;
-  messages()->warn("{}: {} left out, the first y = {:g}, z = {:g}: no profile goes there, so that it marks a "
-                   "missing value",
-                   source, counted(points.size() - kept.size(), "point", "points"), first->y, first->z);
+  say_warning("{}: {} left out, the first y = {:g}, z = {:g}: no profile goes there, so that it marks a "
+              "missing value",
+              source, counted(points.size() - kept.size(), "point", "points"), first->y, first->z);
   points = std::move(kept);
 }
 

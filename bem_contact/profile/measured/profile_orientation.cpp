@@ -46,7 +46,7 @@ void flip_z(std::vector<Point2>& points) {
 }
 
 void flip_z_by_shape(std::vector<Point2>& points, const std::string& source) {
-  messages()->warn(
+  say_warning(
       "{}: z points up: its sign is changed, as the shape suggests (profile_z = \"up\" says so; \"down\" "
       "keeps it)",
       source);
@@ -90,13 +90,12 @@ void mend_rail_side(MeasuredPoints& measured, const std::string& source) {
   const std::string place =
       fmt::format("{}: y = {:.4g} .. {:.4g} mm counts from the centre of the track", source, low.y, high.y);
   if (measured.axes_stated) {
-    messages()->warn(
-        "{}, and its gauge side is at the larger y, where the format states the field side: it is "
-        "not turned (mirror = true turns it)",
-        place);
+    say_warning("{}, and its gauge side is at the larger y, where the format states the field side: it is "
+                "not turned (mirror = true turns it)",
+                place);
     return;
   }
-  messages()->warn("{}, which tells its gauge side: y is mirrored (mirror = true says so)", place);
+  say_warning("{}, which tells its gauge side: y is mirrored (mirror = true says so)", place);
   mirror(measured);
 }
 
@@ -198,10 +197,9 @@ void mend_wheel_z(std::vector<Point2>& points, const std::string& source) {
   case WheelZ::either:
     ask_for_z(source, "its shape has no whole flange that would tell");
   case WheelZ::no_flange:
-    messages()->warn(
-        "{}: nothing says where z points, neither the file nor a flange: it is taken to point down "
-        "(profile_z = \"down\" says so; \"up\" turns it)",
-        source);
+    say_warning("{}: nothing says where z points, neither the file nor a flange: it is taken to point down "
+                "(profile_z = \"down\" says so; \"up\" turns it)",
+                source);
   }
 }
 
@@ -219,20 +217,20 @@ void mend_wheel_y(MeasuredPoints& measured, const std::string& source, const Pro
         fmt::format("its tip would be at y = {:.4g} mm, and y points away from the track", tip->y),
         "Leave mirror out.");
   if (measured.axes_stated) {
-    messages()->warn(
+    say_warning(
         "{}: the flange lies at y > 0, on the field side, as the format states its axes: it is not turned "
         "(mirror = true turns it)",
         source);
     return;
   }
-  messages()->warn("{}: the flange lies at y > 0: y is mirrored (mirror = true says so)", source);
+  say_warning("{}: the flange lies at y > 0: y is mirrored (mirror = true says so)", source);
   mirror(measured);
 }
 
 /// A format that states its axes is not turned by the shape; a flange that points up is worth a word.
 void look_at_stated_wheel(const std::vector<Point2>& points, const std::string& source) {
   if (wheel_z(points) == WheelZ::up)
-    messages()->warn(
+    say_warning(
         "{}: the flange points up, as the format states its axes: it is not turned (profile_z = \"up\" "
         "turns it)",
         source);

@@ -34,6 +34,9 @@ constexpr double repairable_loop = 1.0;
 constexpr double narrowest_profile = 10.0;
 /// mm. A profile that is wider is none, either.
 constexpr double widest_profile = 300.0;
+/// mm. The same where the unit is said: somebody drew a wide circle, as in CONTACT's tests. In cm heads of
+/// rails would be wider. Chosen.
+constexpr double widest_in_said_unit = 500.0;
 /// The file's unit. A profile this wide is in metres: no profile in mm is as narrow.
 constexpr double narrowest_in_metres = 0.02;
 /// The file's unit. A wider profile is not in metres.
@@ -98,14 +101,14 @@ void mend_units(std::vector<Point2>& points, const std::string& source, ProfileU
   const bool metres = unit == ProfileUnit::found && width >= narrowest_in_metres && width <= widest_in_metres;
   const double factor = metres ? 1000 : millimetres(unit);
   if (metres)
-    messages()->warn("{}: {:.4g} wide: taken as metres", source, width);
+    say_warning("{}: {:.4g} wide: taken as metres", source, width);
   if (factor != 1)
     for (Point2& p : points)
       p = factor * p;
   width *= factor;
   const UnitGuess guess = unit == ProfileUnit::found ? guess_unit(width) : UnitGuess{};
-  if (!(width >= narrowest_profile && width <= widest_profile) ||
-      (width < narrowest_unasked && !guess.keys.empty()))
+  const double widest = unit == ProfileUnit::found ? widest_profile : widest_in_said_unit;
+  if (!(width >= narrowest_profile && width <= widest) || (width < narrowest_unasked && !guess.keys.empty()))
     throw InputError(fmt::format("{}: the profile is {:.4g} mm wide", source, width),
                      guess.keys.empty()
                          ? "no rail or wheel is; the unit is neither mm nor m, or the columns are not y and z"
@@ -127,8 +130,8 @@ void drop_crowded(std::vector<Point2>& points, const std::string& source) {
   if (norm(points.back() - kept.back()) > 0 && kept.size() > 1)
     kept.back() = points.back();
   if (const std::size_t dropped = points.size() - kept.size(); dropped > 0)
-    messages()->info("{}: {} doubled or crowded {} dropped (nearer than {} mm)", source, dropped,
-                     points_text(dropped), crowded);
+    say_info("{}: {} doubled or crowded {} dropped (nearer than {} mm)", source, dropped,
+             points_text(dropped), crowded);
   points = std::move(kept);
 }
 
@@ -159,9 +162,8 @@ bool drop_stray(std::vector<Point2>& points, const std::string& source) {
   std::string places;
   for (std::size_t i = 0; i < std::min(stray.size(), most_named_outliers); ++i)
     places += fmt::format("{}y = {:.4g}, z = {:.4g}", i > 0 ? "; " : "", stray[i].y, stray[i].z);
-  messages()->warn("{}: {} {} dropped where the profile zig-zags, at {}{} mm of the file", source,
-                   stray.size(), points_text(stray.size()), places,
-                   stray.size() > most_named_outliers ? "; ..." : "");
+  say_warning("{}: {} {} dropped where the profile zig-zags, at {}{} mm of the file", source, stray.size(),
+              points_text(stray.size()), places, stray.size() > most_named_outliers ? "; ..." : "");
   points = std::move(mended);
   return true;
 }
@@ -173,7 +175,7 @@ void mend_order(std::vector<Point2>& points, const std::string& source) {
   std::vector<Point2> sorted = points;
   std::ranges::stable_sort(sorted, {}, &Point2::y);
   if (!first_zig_zag(sorted) && path_length(points) > shuffled_walk * path_length(sorted)) {
-    messages()->warn("{}: the points are out of order: sorted by y", source);
+    say_warning("{}: the points are out of order: sorted by y", source);
     points = std::move(sorted);
     return;
   }
@@ -215,8 +217,8 @@ void mend_loops(std::vector<Point2>& points, const std::string& source) {
         throw InputError(fmt::format("{}: the profile crosses itself at y = {:.4g}, z = {:.4g}", source,
                                      where->y, where->z),
                          fmt::format("the loop is {:.3g} mm long", length), "Remove the points of the loop.");
-      messages()->warn("{}: a loop of {:.3g} mm cut off at y = {:.4g}, z = {:.4g}", source, length, where->y,
-                       where->z);
+      say_warning("{}: a loop of {:.3g} mm cut off at y = {:.4g}, z = {:.4g}", source, length, where->y,
+                  where->z);
       points.erase(points.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                    points.begin() + static_cast<std::ptrdiff_t>(j) + 1);
       points.insert(points.begin() + static_cast<std::ptrdiff_t>(i) + 1, *where);
@@ -237,7 +239,7 @@ void report_holes(const std::vector<Point2>& p, const std::string& source) {
   for (std::size_t i = 1; i + 2 < p.size(); ++i) {
     const double turned = std::abs(turn(i - 1, i + 1));
     if (length[i] > std::max(hole_length * usual, least_hole) && turned > hole_turn)
-      messages()->warn(
+      say_warning(
           "{}: no points for {:.3g} mm from y = {:.4g} to y = {:.4g}, over which the profile turns by "
           "{:.2g} degrees: its shape there is a guess",
           source, length[i], p[i].y, p[i + 1].y, turned);
@@ -246,8 +248,8 @@ void report_holes(const std::vector<Point2>& p, const std::string& source) {
       first = i;
   }
   if (jumps > 0)
-    messages()->warn("{}: the profile jumps {} by {:.2g} mm at y = {:.4g}", source,
-                     jumps == 1 ? "once," : fmt::format("{} times, first", jumps), length[first], p[first].y);
+    say_warning("{}: the profile jumps {} by {:.2g} mm at y = {:.4g}", source,
+                jumps == 1 ? "once," : fmt::format("{} times, first", jumps), length[first], p[first].y);
 }
 
 } // namespace

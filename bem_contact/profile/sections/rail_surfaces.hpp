@@ -36,6 +36,8 @@ public:
   int count() const { return static_cast<int>(bodies_.size()); }
   /// Which of the bodies, as they were given, t belongs to, or is nearest to.
   int body_of(double t) const { return order_[place_of(t)]; }
+  /// And t on that body's own surface.
+  double on_body(double t) const { return t - begin_[place_of(t)]; }
 
 private:
   int place_of(double t) const; ///< in `bodies_`

@@ -293,8 +293,9 @@ def wear(
     model: _Model = None,
     folder: str | PathLike[str] | None = None,
     executor: Executor | None = None,
-) -> dict[str, NDArray[Any]]:
-    """Profiles worn under the load collective of a scene's table [sweep]: mileage, depths, areas, profiles by step."""
+) -> dict[str, Any]:
+    """Profiles worn under the load collective of a scene's table [sweep]: mileage, depths, areas, profiles by step; of a rail of
+    sections those of each section."""
 
 @overload
 def wear(

@@ -196,6 +196,8 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
     out.motion.lowered = placed->lowered;
     if (placed->pair.uneven || placed->pair.sections) // 0 where the wheel alone is uneven
       out.motion.slope_force = slope_force(placed->pair, out.problem, out.result);
+    if (placed->pair.sections)
+      out.bodies.rail_sections = std::make_shared<const SectionedRail>(*placed->pair.sections);
     out.bodies.rail_geometry = placed->pair.rail.digest();
     out.bodies.wheel_geometry = placed->pair.wheel.digest();
   }

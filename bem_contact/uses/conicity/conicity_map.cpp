@@ -154,8 +154,8 @@ ConicityMap conicity_map(const ConicityMapRange& range,
         try {
           entry = maker.entry(wheelset, gauge, draws);
         } catch (const InputError& error) {
-          messages()->warn("{} on {} at a gauge of {:g} mm has no conicity: {}", range.wheels[w],
-                           range.rails[r], gauge, error.what());
+          say_warning("{} on {} at a gauge of {:g} mm has no conicity: {}", range.wheels[w], range.rails[r],
+                      gauge, error.what());
         }
         entry.wheel = w;
         entry.rail = r;

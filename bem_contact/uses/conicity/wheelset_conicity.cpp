@@ -65,13 +65,13 @@ void warn_of_negative_cone(std::span<const RadiusDifference> function) {
       difference_at(function, *middle + middle_reach) - difference_at(function, *middle - middle_reach);
   const double tan_gamma = rise / (4 * middle_reach);
   if (tan_gamma < least_negative_cone)
-    messages()->warn("the cone is negative in the middle: at a lateral displacement of {:.2f} mm tan gamma "
-                     "is {:.4f} (over {:g} mm "
-                     "to either side), so that nothing holds the wheelset there, and it runs to one side "
-                     "until its flange root "
-                     "steers it back. A conicity whose motion does not pass this place is about another one, "
-                     "beside the middle",
-                     *middle, tan_gamma, middle_reach);
+    say_warning("the cone is negative in the middle: at a lateral displacement of {:.2f} mm tan gamma "
+                "is {:.4f} (over {:g} mm "
+                "to either side), so that nothing holds the wheelset there, and it runs to one side "
+                "until its flange root "
+                "steers it back. A conicity whose motion does not pass this place is about another one, "
+                "beside the middle",
+                *middle, tan_gamma, middle_reach);
 }
 
 /// mm. The active faces of a wheelset are so far below its tape circles (EN 15302, EN 15313).
@@ -140,7 +140,7 @@ WheelsetOnTrack wheelset_of(const SceneFile& scene, const LeftProfiles& left) {
   const WheelRailProfiles right = read_profiles(scene);
   const auto warn = [&](const char* side, const std::string& text) {
     if (!text.empty())
-      messages()->warn("{}{}", side, text);
+      say_warning("{}{}", side, text);
   };
   warn("", inclined_twice(right.rail_inclination, scene.position.rail_inclination));
   WheelsetOnTrack out{.right_rail = right.rail,

@@ -1,6 +1,7 @@
 #include "bem_contact/uses/curves/creep_curves.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/scene/derivative_inputs.hpp"
 #include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/plan/hertz_model.hpp"
 #include "bem_contact/sequence/quantities.hpp"
@@ -88,6 +89,7 @@ constexpr std::size_t index(CreepKind kind) {
 } // namespace
 
 void require_creepages(const SceneFile& scene, std::span<const CreepRange> ranges) {
+  refuse_derivatives(scene, "a creep curve");
   const auto refuse = [](const char* why, const char* what_to_do) {
     throw InputError("This scene has no creep curves", why, what_to_do);
   };
@@ -152,13 +154,28 @@ SceneFile scene_at(const SceneFile& held_scene, double offset, const Creepages& 
   return scene;
 }
 
+/// Of the forces by each number that the scene names.
+std::vector<CreepForceValues> slopes_of(const SceneFile& scene, const SceneResult& r) {
+  std::vector<CreepForceValues> out;
+  for (const std::string& name : scene.derivatives) {
+    const InputDerivatives& by = *std::ranges::find(r.derivatives, name, &InputDerivatives::name);
+    CreepForceValues& one = out.emplace_back();
+    for (std::size_t i = 0; i < one.size(); ++i)
+      one[i] = by.totals[std::size_t(std::ranges::find(derived_totals(), EnumNames<CreepForce>::names[i]) -
+                                     derived_totals().begin())];
+  }
+  return out;
+}
+
 std::vector<CreepPoint> points_by(Sequence& sequence, const SceneFile& given, const HeldContact& held,
                                   std::span<const Creepages> points, const std::atomic<bool>* stop) {
   const SceneFile scene = held_scene(given, held);
   std::vector<CreepPoint> out;
   for (const Creepages& at : points) {
     const SceneResult r = sequence.solve(scene_at(scene, held.offset, at), stop);
-    out.push_back({0, forces_of(r), coarse_forces_of(r), r.result.totals.adhesion_share, certified(r)});
+    out.push_back({0, forces_of(r), coarse_forces_of(r), r.result.totals.adhesion_share, certified(r), {}});
+    if (!r.derivatives.empty())
+      out.back().slopes = slopes_of(scene, r);
   }
   return out;
 }

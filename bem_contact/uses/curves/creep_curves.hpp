@@ -45,6 +45,8 @@ struct CreepPoint {
   CreepForceValues coarse{};    ///< coarse_forces_of() it
   double adhesion_share = 0;    ///< of the area in contact
   bool certified = false;       ///< the certificate holds
+  /// Of forces by what the scene names as `derivatives`, in the order of the names there; not kept by tasks.
+  std::vector<CreepForceValues> slopes = {};
 };
 
 /// Forces over one creepage.
@@ -106,7 +108,8 @@ void require_creepages(const SceneFile& scene, std::span<const CreepRange> range
 using CreepSolver =
     std::function<std::vector<CreepPoint>(const HeldContact& held, std::span<const Creepages> points)>;
 
-/// Solves points of a scene, each from the one before; the first starts cold. Throws as creep_curves() does.
+/// Solves points of a scene, each from the one before; the first starts cold. Where the scene names
+/// derivatives, points have them. Throws as creep_curves() does.
 std::vector<CreepPoint> creep_points(const SceneFile& scene, const HeldContact& held,
                                      std::span<const Creepages> points,
                                      const std::atomic<bool>* stop = nullptr);

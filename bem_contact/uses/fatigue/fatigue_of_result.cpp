@@ -156,9 +156,10 @@ CollectiveFatigue fatigue_of(const SweepFile& sweep, const FatigueProperties& pr
   for (std::size_t i = 0; i < sweep.size(); ++i) {
     const SceneResult result = solve_of_collective(sequence, sweep, i, stop);
     const Fatigue f = fatigue_of(result, properties);
+    const double along = place_of_case(sweep, i);
     std::size_t number = 0;
     for (const PatchFatigue& patch : f.patches) {
-      out.patches.push_back({patch, i, ++number, sweep.weight(i), f.peaks.value_or(StressPeaks{})});
+      out.patches.push_back({patch, i, ++number, sweep.weight(i), along, f.peaks.value_or(StressPeaks{})});
       out.beyond_surface += patch.beyond_surface();
       out.beyond_below += patch.beyond_below() && !patch.beyond_surface();
       out.damage += sweep.weight(i) * patch.damage;

@@ -104,6 +104,7 @@ struct CollectivePatch : PatchFatigue {
   std::size_t index = 0; ///< of the case in the sweep
   std::size_t patch = 0; ///< of the case, from 1, the largest force first
   double weight = 1;     ///< how often the case occurs
+  double along = 0;      ///< place of its wheelset along the track, mm
   StressPeaks peaks;     ///< of the case; 0 where they are not asked for
 };
 

@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/toml.hpp"
 #include "bem_contact/scene/csv_table.hpp"
+#include "bem_contact/scene/derivative_inputs.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <map>
 
 namespace bem_contact::fit {
 
@@ -121,6 +123,23 @@ public:
       held_.layer_compliance.reset();
     if (std::ranges::find(q.keys, "position.lateral") != q.keys.end())
       held_.lateral.reset();
+    for (const std::string& key : q.keys)
+      inputs_.push_back(derivative_name_of(key));
+    if (!q.measured.pressures.empty() || std::ranges::count(inputs_, std::string()) > 0)
+      inputs_.clear();
+  }
+
+  /// Solves at the first guess. If that has no derivatives, nothing asks for them again.
+  void begin(std::span<const double> guess) {
+    all(guess);
+    if (!slopes(guess))
+      inputs_.clear();
+  }
+
+  /// What all() said last for these values changes by per unit of each key.
+  std::optional<std::vector<double>> slopes(std::span<const double> values) const {
+    const auto known = slopes_.find({values.begin(), values.end()});
+    return known == slopes_.end() ? std::nullopt : std::optional(known->second);
   }
 
   SceneFile with(std::span<const double> values) {
@@ -131,9 +150,15 @@ public:
 
   /// Throws InputError where such a scene is refused, ConvergenceError where it has no certified solution.
   std::vector<double> all(std::span<const double> values) {
-    std::vector<double> out;
+    std::vector<double> out, slopes;
     for (const MeasuredForces& m : question_.measured.forces)
-      std::ranges::copy(forces(values, m, m.creepage), std::back_inserter(out));
+      for (const CreepPoint& point : points(values, m, m.creepage, inputs_)) {
+        out.push_back(point.forces[static_cast<std::size_t>(m.force)]);
+        for (const CreepForceValues& by : point.slopes)
+          slopes.push_back(by[static_cast<std::size_t>(m.force)]);
+      }
+    if (!slopes.empty() && slopes.size() == out.size() * values.size())
+      slopes_[{values.begin(), values.end()}] = std::move(slopes);
     if (question_.measured.pressures.empty())
       return out;
     const SceneResult result = solve_held(with(values), held_, stop_);
@@ -146,19 +171,11 @@ public:
   }
 
   /// The force of these points at these creepages.
-  std::vector<double> forces(std::span<const double> values, const MeasuredForces& points,
+  std::vector<double> forces(std::span<const double> values, const MeasuredForces& like,
                              std::span<const double> creepages) {
-    const SceneFile scene = with(values);
-    std::vector<Creepages> at(creepages.size(), {scene.motion.xi, scene.motion.eta, scene.motion.phi});
-    for (std::size_t i = 0; i < at.size(); ++i)
-      at[i][static_cast<std::size_t>(points.which)] = creepages[i];
     std::vector<double> out;
-    for (const CreepPoint& point : creep_points(scene, held_, at, stop_)) {
-      out.push_back(point.forces[static_cast<std::size_t>(points.force)]);
-      if (!point.certified)
-        throw ConvergenceError("A measured point has no certified solution (its certificate does not hold) "
-                               "Use other elements (grid), or leave the point out.");
-    }
+    for (const CreepPoint& point : points(values, like, creepages, {}))
+      out.push_back(point.forces[static_cast<std::size_t>(like.force)]);
     return out;
   }
 
@@ -172,6 +189,29 @@ public:
   }
 
 private:
+  /// With derivatives by `inputs`, where there are any.
+  std::vector<CreepPoint> points(std::span<const double> values, const MeasuredForces& like,
+                                 std::span<const double> creepages, const std::vector<std::string>& inputs) {
+    SceneFile scene = with(values);
+    std::vector<Creepages> at(creepages.size(), {scene.motion.xi, scene.motion.eta, scene.motion.phi});
+    for (std::size_t i = 0; i < at.size(); ++i)
+      at[i][static_cast<std::size_t>(like.which)] = creepages[i];
+    std::vector<CreepPoint> out;
+    scene.derivatives = inputs;
+    try {
+      out = creep_points(scene, held_, at, stop_);
+    } catch (const Error&) {
+      if (inputs.empty())
+        throw;
+      scene.derivatives.clear();
+      out = creep_points(scene, held_, at, stop_);
+    }
+    if (!std::ranges::all_of(out, &CreepPoint::certified))
+      throw ConvergenceError("A measured point has no certified solution (its certificate does not hold) "
+                             "Use other elements (grid), or leave the point out.");
+    return out;
+  }
+
   template <class Computed> static Theory searched(const Computed& computed) {
     return [computed](std::span<const double> values) -> std::optional<std::vector<double>> {
       try {
@@ -187,6 +227,8 @@ private:
   SceneReader& reader_;
   HeldContact held_;
   const std::atomic<bool>* stop_;
+  std::vector<std::string> inputs_; ///< of derivatives, one for each key; empty: there are none
+  std::map<std::vector<double>, std::vector<double>> slopes_; ///< [point][key], by the values of the keys
 };
 
 /// From zero, or the least that was measured, to the most; narrower where creepages are small.
@@ -320,9 +362,11 @@ CurveFit fit_curve(const Question& question, const std::atomic<bool>* stop) {
   std::vector<double> guess;
   for (const Unknown& unknown : unknowns)
     guess.push_back(unknown.start);
-  fitted.all(guess); // throws where the search had nothing to begin from
+  fitted.begin(guess); // throws where the search had nothing to begin from
   const Points points = points_of(question.measured);
-  const Solution solution = least_squares(fitted.theory(), points, unknowns);
+  const Solution solution =
+      least_squares(fitted.theory(), points, unknowns,
+                    [&fitted](std::span<const double> values) { return fitted.slopes(values); });
   const Spread spread = bootstrap(solution, points, unknowns);
   CurveFit out;
   for (std::size_t k = 0; k < named.size(); ++k)

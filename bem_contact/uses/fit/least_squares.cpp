@@ -37,12 +37,15 @@ using Vector = Eigen::VectorXd;
 /// The theory, asked once for the same unknowns.
 class Remembered {
 public:
-  Remembered(const Theory& theory, std::span<const Unknown> unknowns)
-      : theory_(theory), unknowns_(unknowns) {}
+  Remembered(const Theory& theory, std::span<const Unknown> unknowns, const OwnSlopes& own_slopes = nullptr)
+      : theory_(theory), own_slopes_(own_slopes), unknowns_(unknowns) {}
 
   const std::optional<std::vector<double>>& at(const std::vector<double>& values) {
     const auto known = known_.find(values);
     return known != known_.end() ? known->second : known_.emplace(values, theory_(values)).first->second;
+  }
+  std::optional<std::vector<double>> own_slopes(const std::vector<double>& values) {
+    return own_slopes_ && at(values) ? own_slopes_(values) : std::nullopt;
   }
   int evaluations() const { return static_cast<int>(known_.size()); }
   std::span<const Unknown> unknowns() const { return unknowns_; }
@@ -58,6 +61,7 @@ public:
 
 private:
   const Theory& theory_;
+  OwnSlopes own_slopes_;
   std::span<const Unknown> unknowns_;
   std::map<std::vector<double>, std::optional<std::vector<double>>> known_;
 };
@@ -132,7 +136,9 @@ struct Problem {
     return 0;
   }
   int df(const Vector& scaled, JacobianType& out) const {
-    const std::vector<double> at = theory.within(scaled), slopes = all_slopes(theory, at, false);
+    const std::vector<double> at = theory.within(scaled);
+    const auto own = theory.own_slopes(at);
+    const std::vector<double> slopes = own ? *own : all_slopes(theory, at, false);
     for (int i = 0; i < values(); ++i)
       for (int k = 0; k < inputs(); ++k) {
         const double asked = scaled[k] * std::abs(theory.unknowns()[std::size_t(k)].start);
@@ -202,8 +208,9 @@ std::vector<double> slopes_of(const Theory& theory, std::span<const Unknown> unk
   return all_slopes(remembered, {at.begin(), at.end()}, true);
 }
 
-Solution least_squares(const Theory& theory, const Points& points, std::span<const Unknown> unknowns) {
-  Remembered remembered(theory, unknowns);
+Solution least_squares(const Theory& theory, const Points& points, std::span<const Unknown> unknowns,
+                       const OwnSlopes& own_slopes) {
+  Remembered remembered(theory, unknowns, own_slopes);
   Problem problem{remembered, points};
   Solution out;
   out.values = best_guess(problem, unknowns);

@@ -28,6 +28,10 @@ struct Points {
 /// What a theory says at each point, for given unknowns. Nothing: it has no answer there.
 using Theory = std::function<std::optional<std::vector<double>>(std::span<const double> unknowns)>;
 
+/// Derivatives of what a theory said last for these unknowns, [point][unknown], where it knows them itself.
+/// Nothing: differences of the theory have to do.
+using OwnSlopes = std::function<std::optional<std::vector<double>>(std::span<const double> unknowns)>;
+
 /// The unknowns for which the sum of the squares of weight (measured - computed) is smallest.
 struct Solution {
   std::vector<double> values;   ///< one an unknown
@@ -49,7 +53,10 @@ std::vector<double> slopes_of(const Theory& theory, std::span<const Unknown> unk
 
 /// Levenberg and Marquardt's method (More 1978, in Eigen), from the best of some first guesses: those that
 /// are positive are tried at a tenth to ten times of what is given. A number that would leave its bounds
-/// stays at them. Throws InputError where the theory has no answer at the first guess.
-Solution least_squares(const Theory& theory, const Points& points, std::span<const Unknown> unknowns);
+/// stays at them. The search takes `own_slopes` where there are any; those of the Solution are differences,
+/// which even out what single elements do. Throws InputError where the theory has no answer at the first
+/// guess.
+Solution least_squares(const Theory& theory, const Points& points, std::span<const Unknown> unknowns,
+                       const OwnSlopes& own_slopes = nullptr);
 
 } // namespace bem_contact::fit

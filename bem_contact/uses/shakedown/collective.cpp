@@ -112,11 +112,12 @@ CollectiveShakedown shakedown_of(const SweepFile& sweep, const ShakedownProperti
   }
   out.envelope = envelope_of(cases, properties);
   for (std::size_t i = 0; i < cases.size(); ++i) {
+    const double along = place_of_case(sweep, i);
     std::size_t number = 0;
     for (PatchShakedown& patch : cases[i].found.patches) {
       patch.maps = {};
       patch.section = {};
-      out.patches.push_back({std::move(patch), i, ++number, cases[i].weight});
+      out.patches.push_back({std::move(patch), i, ++number, cases[i].weight, along});
     }
     out.too_small += cases[i].found.too_small;
   }

@@ -21,6 +21,7 @@ struct CollectivePatch : PatchShakedown {
   std::size_t index = 0; ///< of the case in the sweep
   std::size_t patch = 0; ///< of the case, from 1, the largest force first
   double weight = 1;     ///< how often the case occurs
+  double along = 0;      ///< place of its wheelset along the track, mm
 };
 
 /// What is known at points below the rail's surface, of all cases; [s][depth], depth fastest.

@@ -239,7 +239,7 @@ void replay_steps(const SweepFile& sweep, CaseRange steps, const std::function<S
                   const std::function<bool(SweepCase)>& kept) {
   Steps all(sweep, steps, solve);
   all.answer();
-  const std::vector<SweepColumn>& columns = columns_of_contacts(sweep).cases;
+  const std::vector<SweepColumn> columns = columns_of_contacts(sweep).cases;
   const auto place = [&](const std::string& name) {
     return static_cast<std::size_t>(std::ranges::find(columns, name, &SweepColumn::name) - columns.begin());
   };

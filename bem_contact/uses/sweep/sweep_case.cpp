@@ -45,19 +45,19 @@ void say(SweepCase& record, const std::string& text) {
     record.reason += (record.reason.empty() ? "" : "; ") + text;
 }
 
-SweepCase case_of(const SceneResult& result, const SweepOptions& options) {
+SweepCase case_of(const SceneResult& result, const SweepOptions& options, const SweepColumns& columns) {
   SweepCase out;
   const bool all = certified(result);
   out.status = all ? Outcome::certified : Outcome::not_certified;
   say(out, all ? result.result.trust.solver_note : why_not_certified(result));
-  out.summary = summary_of(result);
+  out.summary = summary_of(result, columns.inputs);
   out.patches = patch_rows(result);
   if (options.seen)
     options.seen("", result);
   return out;
 }
 
-SweepCase case_of(const WheelsetResult& result, const SweepOptions& options) {
+SweepCase case_of(const WheelsetResult& result, const SweepOptions& options, const SweepColumns&) {
   SweepCase out;
   out.status = certified(result.state) ? Outcome::certified : Outcome::not_certified;
   out.summary = summary_of(result);
@@ -73,8 +73,15 @@ SweepCase case_of(const WheelsetResult& result, const SweepOptions& options) {
   return out;
 }
 
-SweepCase solve_case(Sequence& sequence, SweepScenes& scenes, std::size_t index, const SweepOptions& options,
-                     const std::shared_ptr<SequenceFiles>& files) {
+/// What all cases of a sweep have in common.
+struct Common {
+  const SweepOptions& options;
+  const std::shared_ptr<SequenceFiles>& files;
+  SweepColumns columns;
+};
+
+SweepCase solve_case(Sequence& sequence, SweepScenes& scenes, std::size_t index, const Common& common) {
+  const SweepOptions& options = common.options;
   const Stopwatch watch;
   const std::clock_t cpu = std::clock();
   SweepCase out;
@@ -83,12 +90,12 @@ SweepCase solve_case(Sequence& sequence, SweepScenes& scenes, std::size_t index,
     const auto kept = [&](const auto& result) {
       if (options.strict)
         refuse_warnings(result.warnings);
-      SweepCase found = case_of(result, options);
+      SweepCase found = case_of(result, options, common.columns);
       for (const Warning& warning : result.warnings)
         say(found, warning.text);
       return found;
     };
-    out = scene.wheelset.force ? kept(solve_wheelset(scene, options.stop, files))
+    out = scene.wheelset.force ? kept(solve_wheelset(scene, options.stop, common.files))
                                : kept(sequence.solve(scene, options.stop));
   } catch (const Stopped&) {
     throw;
@@ -129,11 +136,12 @@ void solve_cases(const SweepFile& sweep, CaseRange cases, const SweepOptions& op
                  const std::shared_ptr<SequenceFiles>& files, const std::function<bool(SweepCase)>& kept) {
   const std::size_t chunk = cut_of(sweep, options.model, *files).chunk;
   SweepScenes scenes(sweep);
+  const Common common{options, files, columns_of_contacts(sweep)};
   bool go_on = true;
   for (CaseRange some{cases.first, 0}; some.first < cases.last && go_on; some.first = some.last) {
     some.last = std::min(cases.last, (some.first / chunk + 1) * chunk);
     Sequence sequence(SequenceOptions{.displacements = options.displacements}, files);
-    const auto solve = [&](std::size_t i) { return solve_case(sequence, scenes, i, options, files); };
+    const auto solve = [&](std::size_t i) { return solve_case(sequence, scenes, i, common); };
     const auto keep = [&](SweepCase one) { return go_on = kept(std::move(one)); };
     if (sweep.replay)
       replay_steps(sweep, some, solve, keep);

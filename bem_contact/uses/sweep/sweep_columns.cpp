@@ -1,5 +1,8 @@
 #include "bem_contact/uses/sweep/sweep_columns.hpp"
 
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/scene/derivative_inputs.hpp"
+#include "bem_contact/sequence/derivative_record.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/uses/sweep/replay_steps.hpp"
 #include "bem_contact/uses/wheelset/quantities.hpp"
@@ -55,6 +58,47 @@ std::vector<SweepColumn> columns_of_wheelsets() {
   return all;
 }
 
+/// Of derivatives with respect to one number.
+void add_columns(std::vector<SweepColumn>& all, const SceneNumber& input) {
+  for (const std::string_view name : derived_totals())
+    all.push_back({fmt::format("{}_by_{}", name, input.name),
+                   unit_per(quantity(name).unit.of(false), input.unit),
+                   fmt::format("what {} changes by per unit of {}, on these elements", name, input.key)});
+  for (const auto& [side, word] : {std::pair{"below", "smaller"}, std::pair{"above", "larger"}})
+    all.push_back(
+        {fmt::format("{}_{}", input.name, side), input.unit,
+         fmt::format("{} may be so much {} until an element changes its state; nan: any", input.key, word)});
+}
+
+/// In the order of the scene's columns. Those of a run lie on lines between steps that were solved, which
+/// stated errors judge; derivatives have none.
+std::vector<SceneNumber> derived_by(const SweepFile& sweep) {
+  SceneFile scene = sweep.first_scene();
+  if (scene.derivatives.empty())
+    return {};
+  const auto refuse = [](const char* why, const char* what_to_do) {
+    throw InputError("There are no derivatives here", why, what_to_do);
+  };
+  if (sweep.replay)
+    refuse(
+        "replay does not solve every step, and nothing says how well they lie between those that it solves",
+        "Leave out derivatives, or give the steps that you ask about as a sweep.");
+  if (!profile_inputs(scene).empty())
+    refuse("the points of a profile are a table of each case, and a sweep has a line for each",
+           "Leave rail_profile and wheel_profile out of derivatives, or solve such cases one by one.");
+  return derivative_inputs(scene);
+}
+
+void add_derivatives(const InputDerivatives* found, std::vector<double>& values) {
+  if (!found) {
+    values.resize(values.size() + derived_totals().size() + 2, std::nan(""));
+    return;
+  }
+  std::ranges::copy(found->totals, std::back_inserter(values));
+  for (const double reach : {found->below, found->above})
+    values.push_back(std::isfinite(reach) ? reach : std::nan(""));
+}
+
 std::vector<SweepColumn> columns_of_wheelset_patches() {
   std::vector<SweepColumn> all = columns_of_table(patch_quantities());
   all.push_back(
@@ -64,10 +108,15 @@ std::vector<SweepColumn> columns_of_wheelset_patches() {
 
 } // namespace
 
-const SweepColumns& columns_of_contacts(const SweepFile& sweep) {
-  static const SweepColumns contacts{columns_of_a_contact(), columns_of_table(patch_quantities())},
-      wheelsets{columns_of_wheelsets(), columns_of_wheelset_patches()};
-  return sweep.first_scene().wheelset.force ? wheelsets : contacts;
+SweepColumns columns_of_contacts(const SweepFile& sweep) {
+  if (sweep.first_scene().wheelset.force)
+    return {columns_of_wheelsets(), columns_of_wheelset_patches(), {}};
+  SweepColumns out{columns_of_a_contact(), columns_of_table(patch_quantities()), {}};
+  for (const SceneNumber& input : derived_by(sweep)) {
+    add_columns(out.cases, input);
+    out.inputs.push_back(input.name);
+  }
+  return out;
 }
 
 SweepColumns columns_of(const SweepFile& sweep) {
@@ -81,9 +130,13 @@ bool is_model(const SweepColumn& column) {
   return column.name.ends_with(model_column);
 }
 
-std::vector<double> summary_of(const SceneResult& result) {
+std::vector<double> summary_of(const SceneResult& result, std::span<const std::string> inputs) {
   std::vector<double> values = values_of(quantities(), result);
   values.push_back(static_cast<double>(result.choice.model));
+  for (const std::string& input : inputs) {
+    const auto found = std::ranges::find(result.derivatives, input, &InputDerivatives::name);
+    add_derivatives(found == result.derivatives.end() ? nullptr : &*found, values);
+  }
   return values;
 }
 

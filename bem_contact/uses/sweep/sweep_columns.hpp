@@ -19,19 +19,24 @@ struct SweepColumn {
 /// Of scenes of one contact: quantities() and patch_quantities(), errors after their numbers, and the model.
 /// Of scenes with [wheelset]: wheelset_quantities(), then wheel_quantities() and the model of the right wheel
 /// and of the left one, as right_Fy and left_Fy; and patch_quantities() with the column "left".
+///
+/// Where the first case names `derivatives`, each of its inputs has derived_totals() as well, as
+/// Fy_by_lateral, and how far they hold: lateral_below, lateral_above. A case without such an input has nan.
 struct SweepColumns {
   std::vector<SweepColumn> cases;   ///< one number a case
   std::vector<SweepColumn> patches; ///< one number a patch
+  std::vector<std::string> inputs;  ///< names of those whose derivatives are columns
 };
-/// Of a replay, replay_columns() come after them. Reads the scene of the first case, so ask once.
+/// Of a replay, replay_columns() come after them. Reads the scene of the first case, so ask once. Throws
+/// InputError where it asks for derivatives that are no columns.
 SweepColumns columns_of(const SweepFile& sweep);
 /// Without those of a replay.
-const SweepColumns& columns_of_contacts(const SweepFile& sweep);
+SweepColumns columns_of_contacts(const SweepFile& sweep);
 /// Says whether a column holds a model, as its number.
 bool is_model(const SweepColumn& column);
 
-/// The numbers of a result, in the order of SweepColumns::cases.
-std::vector<double> summary_of(const SceneResult& result);
+/// The numbers of a result, in the order of SweepColumns::cases; `inputs`: SweepColumns has them.
+std::vector<double> summary_of(const SceneResult& result, std::span<const std::string> inputs);
 std::vector<double> summary_of(const WheelsetResult& result); ///< of both wheels
 
 /// The numbers of each patch, in the order of SweepColumns::patches; the largest force first.

@@ -1,6 +1,7 @@
 #include "bem_contact/uses/table/scene_table.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/scene/derivative_inputs.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/sequence/quantities.hpp"
@@ -164,7 +165,9 @@ ContactTable table_of(const SceneTable& described) {
   for (const Axis& axis : table.axes)
     last.push_back(axis.points.back());
   scene_at(described, reader, last);
-  mark_held(table, described, first_scene(described));
+  const SceneFile first = first_scene(described);
+  refuse_derivatives(first, "a table");
+  mark_held(table, described, first);
   return table;
 }
 

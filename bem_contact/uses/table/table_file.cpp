@@ -225,10 +225,9 @@ ContactTable read_table(const std::filesystem::path& file) {
     if (kind && kind == kind_of(table_format)) {
       ContactTable table = table_of(Stored(stored, file));
       if (!read.checksums)
-        messages()->warn(
-            "The table '{}' has no checksums (an earlier version made it, or it was written again) "
-            "Whether a number in it has changed since cannot be known; make it again to know it.",
-            file.string());
+        say_warning("The table '{}' has no checksums (an earlier version made it, or it was written again) "
+                    "Whether a number in it has changed since cannot be known; make it again to know it.",
+                    file.string());
       return table;
     }
   } catch (const std::out_of_range&) { // the lines of an axis do not fit

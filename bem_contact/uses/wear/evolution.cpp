@@ -5,6 +5,7 @@
 #include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/scene/derivative_inputs.hpp"
 #include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
@@ -38,27 +39,6 @@ WornBody body_of(const SceneFile::Side& side, ProfileKind kind, const std::files
   return body;
 }
 
-WornBody after(const WornBody& now, const Depths& rate, double times) {
-  WornBody out = now;
-  std::vector<double> depth = rate.values();
-  for (std::size_t i = 0; i < depth.size(); ++i) {
-    depth[i] *= times;
-    out.depth[i] += depth[i];
-  }
-  out.area += times * rate.area();
-  out.points = worn(now.points, depth, times * rate.area());
-  return out;
-}
-
-/// How often the wear of `rate` may be repeated until `depth` is reached somewhere.
-double times_until(const std::vector<double>& now, const std::vector<double>& rate, double depth) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < now.size(); ++i)
-    if (rate[i] > 0)
-      least = std::min(least, (depth - now[i]) / rate[i]);
-  return std::max(0.0, least);
-}
-
 /// In the order of wear_columns().
 constexpr double WearRow::*members[] = {&WearRow::step,       &WearRow::revolutions, &WearRow::mileage,
                                         &WearRow::rail_depth, &WearRow::wheel_depth, &WearRow::rail_area,
@@ -69,20 +49,35 @@ template <std::size_t which> double of_row(const WearRow& row) {
 
 } // namespace
 
-double WornBody::largest() const {
-  return *std::ranges::max_element(depth);
+double WornPair::rail_depth() const {
+  double depth = rail.largest();
+  for (const WornSection& section : sections)
+    depth = std::max(depth, section.worn.largest());
+  return depth;
 }
 
 std::vector<CollectiveCase> collective_of(const SweepFile& sweep, CaseRange cases, const std::string& model) {
   std::vector<CollectiveCase> out;
+  const std::vector<std::size_t> passages = passages_of(sweep);
   for (std::size_t i = cases.first; i < cases.last; ++i)
-    out.push_back({with_model(sweep.scene(i), model), sweep.weight(i)});
+    out.push_back({with_model(sweep.scene(i), model), sweep.weight(i), passages[i]});
+  return out;
+}
+
+std::vector<CaseOnTrack> on_track(const std::vector<CollectiveCase>& cases) {
+  std::vector<CaseOnTrack> out;
+  for (const CollectiveCase& one : cases)
+    out.push_back({one.scene.position.uneven.along, one.weight, one.passage});
   return out;
 }
 
 WornPair unworn(const SceneFile& scene) {
-  return {body_of(scene.rail, ProfileKind::rail, scene.folder),
-          body_of(scene.wheel, ProfileKind::wheel, scene.folder), 0};
+  WornPair out{{}, body_of(scene.wheel, ProfileKind::wheel, scene.folder), 0};
+  if (scene.rail.has_sections())
+    out.sections = unworn_sections(scene);
+  else
+    out.rail = body_of(scene.rail, ProfileKind::rail, scene.folder);
+  return out;
 }
 
 KeptPair unworn_influence(const SceneFile& scene, const WornPair& unworn) {
@@ -99,18 +94,26 @@ KeptPair unworn_influence(const SceneFile& scene, const WornPair& unworn) {
 }
 
 void write_profiles(const WornPair& now, const std::filesystem::path& folder) {
-  write_profile(folder / "rail.txt", now.rail.points);
+  if (now.sections.empty())
+    write_profile(folder / "rail.txt", now.rail.points);
+  write_sections(now.sections, folder);
   write_profile(folder / "wheel.txt", now.wheel.points);
 }
 
-std::shared_ptr<SequenceFiles> read_profiles_of_step(const SceneFile& scene,
+SceneFile with_profiles(SceneFile scene, const WornPair& now, const std::filesystem::path& folder,
+                        const KeptPair& influence) {
+  use_profile(scene.rail, folder / "rail.txt", influence.rail.file);
+  use_profile(scene.wheel, folder / "wheel.txt", influence.wheel.file);
+  if (!now.sections.empty())
+    use_sections(scene.rail, now.sections, folder);
+  return scene;
+}
+
+std::shared_ptr<SequenceFiles> read_profiles_of_step(const SceneFile& scene, const WornPair& now,
                                                      const std::filesystem::path& folder) {
-  SceneFile worn = scene;
-  use_profile(worn.rail, folder / "rail.txt", "");
-  use_profile(worn.wheel, folder / "wheel.txt", "");
   const CollectedMessages unsaid; // nobody can smooth what wear itself has smoothed and written
   auto files = shared_files();
-  read_profiles(worn, *files);
+  read_profiles(with_profiles(scene, now, folder), *files);
   return files;
 }
 
@@ -118,14 +121,12 @@ std::vector<CaseWear> wear_of_cases(const WornPair& now, std::span<const Collect
                                     const EvolutionOptions& options, const std::filesystem::path& folder,
                                     const KeptPair& influence, std::shared_ptr<SequenceFiles> files) {
   if (!files && !cases.empty())
-    files = read_profiles_of_step(cases.front().scene, folder);
+    files = read_profiles_of_step(cases.front().scene, now, folder);
   Sequence sequence({.displacements = false, .own_shape = false}, std::move(files));
   std::vector<CaseWear> out;
   for (const CollectiveCase& one : cases) {
-    SceneFile scene = one.scene;
-    const bool by_files = needs_influence(scene);
-    use_profile(scene.rail, folder / "rail.txt", by_files ? influence.rail.file : "");
-    use_profile(scene.wheel, folder / "wheel.txt", by_files ? influence.wheel.file : "");
+    const SceneFile scene =
+        with_profiles(one.scene, now, folder, needs_influence(one.scene) ? influence : KeptPair{});
     const SceneResult result = sequence.solve(scene, options.stop);
     if (!certified(result))
       throw ConvergenceError("A case of the load collective has no certified result",
@@ -133,48 +134,8 @@ std::vector<CaseWear> wear_of_cases(const WornPair& now, std::span<const Collect
                                          scene.position.lateral, now.revolutions),
                              "Solve it alone with these profiles to see why.");
     Wear wear = wear_of(result, options.law);
-    out.push_back({std::move(wear.rail), std::move(wear.wheel)});
+    out.push_back({std::move(wear.rail), std::move(wear.wheel), std::move(wear.on_sections)});
   }
-  return out;
-}
-
-WornPair wear_step(const WornPair& now, const std::vector<CollectiveCase>& cases,
-                   const EvolutionOptions& options, double until, const std::filesystem::path& folder,
-                   const KeptPair& influence) {
-  require_kept("rail", influence.rail, now.rail.points, options.kept_turn);
-  require_kept("wheel", influence.wheel, now.wheel.points, options.kept_turn);
-  write_profiles(now, folder);
-  const std::vector<CaseWear> found =
-      options.solve ? options.solve(now, influence) : wear_of_cases(now, cases, options, folder, influence);
-  Depths rail(now.rail.points), wheel(now.wheel.points);
-  double weights = 0;
-  for (const CollectiveCase& one : cases)
-    weights += one.weight;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    rail.add(found[i].rail, options.passages * cases[i].weight / weights, options.smoothing);
-    wheel.add(found[i].wheel, cases[i].weight / weights, options.smoothing);
-  }
-  double times = std::numeric_limits<double>::infinity();
-  const auto limit = [&](const WornBody& body, const Depths& rate) {
-    if (rate.largest() > 0)
-      times = std::min({times, options.cap / rate.largest(), times_until(body.depth, rate.values(), until)});
-  };
-  if (options.rail)
-    limit(now.rail, rail);
-  if (options.wheel)
-    limit(now.wheel, wheel);
-  if (!std::isfinite(times))
-    throw InputError("Nothing wears", "no case of the load collective slides anywhere",
-                     "Give creepages or a position that makes the wheel slide.");
-  WornPair out = now;
-  out.revolutions += times;
-  out.smoothing = options.smoothing;
-  out.smoothed_off =
-      std::max(options.rail ? rail.smoothed_off() : 0.0, options.wheel ? wheel.smoothed_off() : 0.0);
-  if (options.rail)
-    out.rail = after(now.rail, rail, times);
-  if (options.wheel)
-    out.wheel = after(now.wheel, wheel, times);
   return out;
 }
 
@@ -210,6 +171,7 @@ void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& 
       throw InputError(fmt::format("A case of the load collective has the weight {}", one.weight),
                        "weights must be positive", as_given);
     const SceneFile &scene = one.scene, &first = cases.front().scene;
+    refuse_derivatives(scene, "a profile that wears");
     if (scene.kind != SceneKind::wheel_rail)
       throw InputError("This scene cannot wear", "it has no profiles", "Give kind = \"wheel_rail\".");
     if (scene.wheelset.force)
@@ -217,9 +179,10 @@ void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& 
           "The cases of [sweep] are wheelsets, of which [wear] has no collective",
           "one pair of profiles wears under the loads of one wheel, and [wheelset] is given",
           "Leave out [sweep] for what one wheelset wears away, or give load.force instead of [wheelset].");
-    if (scene.changes_along())
+    if (scene.changes_along() && (scene.position.uneven.given() || scene.wheel.has_sections()))
       refuse_uneven("An uneven wheel or rail cannot wear",
-                    "profiles that wear are the same all round the wheel and all along the rail");
+                    "profiles that wear are the same all round the wheel, and along the rail unless it is "
+                    "given by its sections");
     if (!(scene.rail == first.rail) || !(scene.wheel == first.wheel))
       throw InputError("The cases of the load collective have different bodies",
                        "one pair of profiles wears under all of them", "Sweep over other keys.");
@@ -227,6 +190,8 @@ void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& 
       throw InputError("The cases of the load collective have different wear maps",
                        "one law holds for all of them", "Sweep over other keys.");
   }
+  if (cases.front().scene.rail.has_sections())
+    passage_places(on_track(cases));
 }
 
 std::span<const ColumnOf<WearRow>> wear_columns() {
@@ -254,7 +219,7 @@ WearRow history_row(int step, const WornPair& pair, double wheel_radius) {
   return {.step = double(step),
           .revolutions = pair.revolutions,
           .mileage = pair.revolutions * 2 * std::numbers::pi * wheel_radius / mm_per_km,
-          .rail_depth = pair.rail.largest(),
+          .rail_depth = pair.rail_depth(),
           .wheel_depth = pair.wheel.largest(),
           .rail_area = pair.rail.area,
           .wheel_area = pair.wheel.area,

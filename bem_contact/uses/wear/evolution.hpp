@@ -4,6 +4,7 @@
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/uses/wear/kept_influence.hpp"
 #include "bem_contact/uses/wear/settings.hpp"
+#include "bem_contact/uses/wear/stretch.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -23,14 +24,16 @@ namespace bem_contact::wear {
 
 /// One member of a load collective: a scene, and how often it occurs compared with the others.
 struct CollectiveCase {
-  SceneFile scene;   ///< with the unworn profiles
-  double weight = 1; ///< > 0
+  SceneFile scene;         ///< with the unworn profiles
+  double weight = 1;       ///< > 0
+  std::size_t passage = 0; ///< on a rail of sections: number of the passage of which it is a place
 };
 
 /// What one case takes off both bodies, mm: off the rail in a passage, off the wheel in a revolution.
 struct CaseWear {
-  DepthOverS rail;  ///< in a passage
-  DepthOverS wheel; ///< in a revolution
+  DepthOverS rail;                 ///< in a passage
+  DepthOverS wheel;                ///< in a revolution
+  RowsOnSections on_sections = {}; ///< of a rail of sections: where these rows lie
 };
 
 struct WornPair;
@@ -52,28 +55,26 @@ struct EvolutionOptions {
   CasesSolver solve = nullptr;
 };
 
-/// What has become of one body.
-struct WornBody {
-  std::vector<Point2> points; ///< of its profile, in walking order; own frame, mm
-  std::vector<double> depth;  ///< taken off at each point so far, along the normals, mm
-  double area = 0;            ///< gone from the section so far, mm^2: volume by length of the body
-
-  double largest() const; ///< of the depths, mm
-};
-
 /// The state between two steps.
 struct WornPair {
-  WornBody rail, wheel;   ///< the bodies
+  /// The bodies. Of a rail of sections the area alone: mean along its passages.
+  WornBody rail, wheel;
   double revolutions = 0; ///< of the wheel
   /// Of the step that led here: wavelength of its smoothing, mm, and how much that took of the deepest place
   /// of either body, over its depth.
   double smoothing = 0, smoothed_off = 0;
+  std::vector<WornSection> sections =
+      {}; ///< of a rail that changes along the track; none: it has one profile
 
-  double largest() const { return std::max(rail.largest(), wheel.largest()); } ///< depth of both, mm
+  double rail_depth() const;                                                 ///< largest of all sections, mm
+  double largest() const { return std::max(rail_depth(), wheel.largest()); } ///< depth of both, mm
 };
 
 /// Some cases of a sweep with their weights; `model`: instead of the scenes' own, "": none.
 std::vector<CollectiveCase> collective_of(const SweepFile& sweep, CaseRange cases, const std::string& model);
+
+/// The cases as places of passages along the track.
+std::vector<CaseOnTrack> on_track(const std::vector<CollectiveCase>& cases);
 
 /// The unworn bodies of a scene.
 WornPair unworn(const SceneFile& scene);
@@ -82,11 +83,15 @@ WornPair unworn(const SceneFile& scene);
 /// not of the scene's profiles.
 KeptPair unworn_influence(const SceneFile& scene, const WornPair& unworn);
 
-/// Writes the profiles of `now` into `folder`, where wear_of_cases() reads them: rail.txt and wheel.txt.
+/// Writes the profiles of `now` into `folder`, where wear_of_cases() reads them.
 void write_profiles(const WornPair& now, const std::filesystem::path& folder);
 
+/// A scene with the profiles of `now` that are in `folder`.
+SceneFile with_profiles(SceneFile scene, const WornPair& now, const std::filesystem::path& folder,
+                        const KeptPair& influence = {});
+
 /// The profiles in `folder`, read for several wear_of_cases(). `scene`: any of the cases.
-std::shared_ptr<SequenceFiles> read_profiles_of_step(const SceneFile& scene,
+std::shared_ptr<SequenceFiles> read_profiles_of_step(const SceneFile& scene, const WornPair& now,
                                                      const std::filesystem::path& folder);
 /// Solves some cases of a step, each from the one before, with the profiles of `now` that are in `folder`.
 /// `files`: what is read of them already; null: nothing. Throws as wear_step() does.

@@ -28,6 +28,24 @@ std::vector<double> row_sums(const ContactGrid& grid, const std::vector<double>&
   return out;
 }
 
+RowsOnSections rows_on_sections(const SceneResult& r) {
+  RowsOnSections out;
+  const ContactGrid& grid = r.problem.grid;
+  for (int is = 0; is < grid.ms; ++is) {
+    double sum = 0, moment = 0;
+    for (int ix = 0; ix < grid.mx; ++ix) {
+      sum += r.result.pn[is * grid.mx + ix];
+      moment += r.result.pn[is * grid.mx + ix] * grid.x(ix);
+    }
+    const SectionedRail::OnBody at =
+        r.bodies.rail_sections->on_body(sum > 0 ? moment / sum : 0, r.problem.rows[is]);
+    out.u.push_back(at.u);
+    out.body.push_back(at.body);
+    out.t.push_back(at.t);
+  }
+  return out;
+}
+
 } // namespace
 
 double DepthOverS::area() const {
@@ -57,6 +75,8 @@ Wear wear_of(const SceneResult& r, const Law& law) {
   if (!r.bodies.wheel_s.empty())
     out.wheel = {r.bodies.wheel_s, out.rail.depth, grid.ds};
   out.volume_per_distance = r.problem.element_area() * std::accumulate(out.rate.begin(), out.rate.end(), 0.0);
+  if (r.bodies.rail_sections)
+    out.on_sections = rows_on_sections(r);
   out.sliding_over_s = row_sums(grid, out.sliding_distance, 1);
   return out;
 }

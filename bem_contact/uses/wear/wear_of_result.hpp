@@ -20,6 +20,13 @@ struct DepthOverS {
   double area() const;
 };
 
+/// Where the rows of a contact lie on a rail of sections: at the middle of their pressure, by row.
+struct RowsOnSections {
+  std::vector<double> u; ///< place along the track, mm
+  std::vector<int> body; ///< which of the bodies, from 0
+  std::vector<double> t; ///< on that body's surface (SectionedSurface), mm
+};
+
 /// What one contact wears away. Fields are [ms][mx] on the grid of the result.
 struct Wear {
   std::vector<double> rate; ///< depth per mm of rolled distance, mm/mm; field
@@ -27,6 +34,7 @@ struct Wear {
       sliding_distance;           ///< of a point of the surface on its way through the element, mm; field
   DepthOverS rail;                ///< by one passage of this wheel
   DepthOverS wheel;               ///< by one revolution; empty where the result does not know its stations
+  RowsOnSections on_sections;     ///< of a rail of sections: where its rows lie; else empty
   double volume_per_distance = 0; ///< off each body, by rolled distance, mm^3/mm
   std::vector<double> sliding_over_s; ///< sliding distance of each row in one passage, mm
 };

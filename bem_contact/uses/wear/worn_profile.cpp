@@ -42,6 +42,10 @@ std::vector<double> lengths(std::span<const Point2> points) {
 
 } // namespace
 
+double WornBody::largest() const {
+  return depth.empty() ? 0 : *std::ranges::max_element(depth);
+}
+
 std::vector<Point2> points_of(const ProfileCurve& curve) {
   const double length = curve.s_end() - curve.s_begin();
   const int steps = std::max(2, static_cast<int>(std::ceil(length / profile_spacing)));

@@ -10,6 +10,15 @@
 
 namespace bem_contact::wear {
 
+/// What has become of one profile.
+struct WornBody {
+  std::vector<Point2> points; ///< in walking order; own frame, mm
+  std::vector<double> depth;  ///< taken off at each point so far, along the normals, mm
+  double area = 0;            ///< gone from the section so far, mm^2: volume by length of the body
+
+  double largest() const; ///< of the depths, mm; 0 without points
+};
+
 /// A profile as points in walking order, about profile_spacing apart; its own frame, mm.
 std::vector<Point2> points_of(const ProfileCurve& curve);
 

@@ -32,6 +32,16 @@ std::optional<std::vector<double>> saturation(std::span<const double> u) {
   return out;
 }
 
+/// Its derivatives by both.
+std::optional<std::vector<double>> slopes_of_saturation(std::span<const double> u) {
+  std::vector<double> out;
+  for (const double x : places) {
+    const double left = std::exp(-x / u[1]);
+    out.insert(out.end(), {1 - left, -u[0] * left * x / (u[1] * u[1])});
+  }
+  return out;
+}
+
 Points unweighted(std::vector<double> measured) {
   const std::size_t count = measured.size();
   return {std::move(measured), std::vector(count, 1.0)};
@@ -56,6 +66,21 @@ TEST(LeastSquares, OfALineIsTheRegressionLine) {
   const Spread spread = bootstrap(s, points, unknowns);
   EXPECT_NEAR(spread.correlation[1], -x / std::sqrt(w * xx), 1e-6);
   EXPECT_EQ(spread.determined, (std::vector{true, true}));
+}
+
+/// A theory that knows its slopes is asked for fewer values, and the same are found. Where it does not know
+/// them, differences serve.
+TEST(LeastSquares, SearchesWithTheSlopesOfTheTheory) {
+  const std::vector<Unknown> unknowns{{.start = 1, .at_least = 0}, {.start = 5, .at_least = 0}};
+  const Points points = unweighted(*saturation(std::vector<double>{4, 2}));
+  const auto found = [&](const OwnSlopes& own) { return least_squares(saturation, points, unknowns, own); };
+  const Solution by_differences = found(nullptr), by_slopes = found(slopes_of_saturation),
+                 by_none = found([](std::span<const double>) { return std::nullopt; });
+  EXPECT_TRUE(by_slopes.converged);
+  EXPECT_NEAR(by_slopes.values[0], 4, 1e-6);
+  EXPECT_NEAR(by_slopes.values[1], 2, 1e-6);
+  EXPECT_LE(by_slopes.evaluations, 0.7 * by_differences.evaluations);
+  EXPECT_EQ(by_none.evaluations, by_differences.evaluations);
 }
 
 /// Where there is no scatter, the numbers come back, from guesses that are ten times off.

@@ -205,7 +205,7 @@ TEST(Evolution, WearsOneBodyAlone) {
   EXPECT_NEAR(after.wheel.largest(), 0.02, 1e-9);
 }
 
-std::string message_of(const std::vector<CollectiveCase>& cases, const EvolutionOptions& options = {},
+std::string refusal_of(const std::vector<CollectiveCase>& cases, const EvolutionOptions& options = {},
                        double depth = 0.1) {
   try {
     validate(cases, options, depth);
@@ -216,25 +216,25 @@ std::string message_of(const std::vector<CollectiveCase>& cases, const Evolution
 }
 
 TEST(Evolution, RefusesWhatCannotWear) {
-  EXPECT_EQ(message_of(collective()), "");
-  EXPECT_THAT(message_of({}), HasSubstr("The load collective is empty"));
+  EXPECT_EQ(refusal_of(collective()), "");
+  EXPECT_THAT(refusal_of({}), HasSubstr("The load collective is empty"));
   for (const double depth : {0.0, -0.1, std::nan(""), std::numeric_limits<double>::infinity()})
-    EXPECT_THAT(message_of(collective(), {}, depth), HasSubstr("depths are positive and finite"));
+    EXPECT_THAT(refusal_of(collective(), {}, depth), HasSubstr("depths are positive and finite"));
   auto cases = collective();
   cases[1].weight = -1;
-  EXPECT_THAT(message_of(cases), HasSubstr("weights must be positive"));
+  EXPECT_THAT(refusal_of(cases), HasSubstr("weights must be positive"));
   cases = collective();
   cases[0].scene.wear.coefficients = {1e-4};
-  EXPECT_THAT(message_of(cases), HasSubstr("different wear maps"));
+  EXPECT_THAT(refusal_of(cases), HasSubstr("different wear maps"));
   cases = collective();
   cases[1].scene.rail.profile = "54E1";
-  EXPECT_THAT(message_of(cases), HasSubstr("different bodies"));
+  EXPECT_THAT(refusal_of(cases), HasSubstr("different bodies"));
   cases = collective();
   cases[1].scene.position.uneven.joint.dip = 1;
-  EXPECT_THAT(message_of(cases), HasSubstr("An uneven wheel or rail cannot wear"));
-  EXPECT_THAT(message_of(collective(), {.cap = 0}), HasSubstr("depth of a step"));
-  EXPECT_THAT(message_of(collective(), {.kept_turn = std::nan("")}), HasSubstr("kept turn"));
-  EXPECT_THAT(message_of(collective(), {.smoothing = std::nan("")}), HasSubstr("smoothing"));
+  EXPECT_THAT(refusal_of(cases), HasSubstr("An uneven wheel or rail cannot wear"));
+  EXPECT_THAT(refusal_of(collective(), {.cap = 0}), HasSubstr("depth of a step"));
+  EXPECT_THAT(refusal_of(collective(), {.kept_turn = std::nan("")}), HasSubstr("kept turn"));
+  EXPECT_THAT(refusal_of(collective(), {.smoothing = std::nan("")}), HasSubstr("smoothing"));
 }
 
 /// Nobody is advised to smooth profiles that wear has written; these scatter by 2 micrometres.
@@ -246,7 +246,7 @@ TEST(Evolution, SaysNothingOfItsOwnProfiles) {
   SceneFile scene;
   scene.kind = SceneKind::wheel_rail;
   testing::internal::CaptureStderr();
-  read_profiles_of_step(scene, own.path());
+  read_profiles_of_step(scene, {}, own.path());
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 

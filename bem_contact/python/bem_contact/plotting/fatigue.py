@@ -1,4 +1,4 @@
-"""Patches in the shakedown diagram; fatigue index and damage over the arc length of the rail."""
+"""Patches in the shakedown diagram; fatigue index and damage over the arc length of the rail, or along the track."""
 
 import h5py
 import numpy as np
@@ -40,24 +40,29 @@ def columns_of(file):
 
 def draw(files):
     t = columns_of(files[0])
+    names = t.dtype.names if isinstance(t, np.ndarray) else t
+    if "along_mm" in names and np.ptp(t["along_mm"]) > 0:  # a passage
+        x, label = t["along_mm"], "place along the track, mm"
+    else:
+        x, label = t["s_mm"], style.UP
     figure, ((diagram, index), (stress, damage)) = style.panels(2, 2, (12, 9.2))
     draw_diagram(diagram, t)
 
-    index.plot(t["s_mm"], t["FI_surf"], "o", color=style.RAIL, markeredgecolor=style.INK, label="whole patch")
-    index.plot(t["s_mm"], t["FI_worst_element"], "v", color="none", markeredgecolor=style.INK, label="worst element")
+    index.plot(x, t["FI_surf"], "o", color=style.RAIL, markeredgecolor=style.INK, label="whole patch")
+    index.plot(x, t["FI_worst_element"], "v", color="none", markeredgecolor=style.INK, label="worst element")
     style.limit(index, 0, "limit: above it the surface fatigues")
-    index.set(title="Index of surface fatigue", ylabel="surface fatigue index FI_surf", xlabel=style.UP)
+    index.set(title="Index of surface fatigue", ylabel="surface fatigue index FI_surf", xlabel=label)
     style.legend_beside(index, below=True, columns=1)
 
-    stress.vlines(t["s_mm"], 0, t["von_mises_depth_mm"], color=style.GRID, linewidth=1)
-    image = stress.scatter(t["s_mm"], t["von_mises_depth_mm"], c=t["von_mises_MPa"], cmap=style.STRESS, edgecolor=style.INK, vmin=0, zorder=3)
+    stress.vlines(x, 0, t["von_mises_depth_mm"], color=style.GRID, linewidth=1)
+    image = stress.scatter(x, t["von_mises_depth_mm"], c=t["von_mises_MPa"], cmap=style.STRESS, edgecolor=style.INK, vmin=0, zorder=3)
     figure.colorbar(image, ax=stress, label="von Mises stress, MPa")
-    stress.set(title="Largest stress below the surface", xlabel=style.UP, ylabel="depth, mm", ylim=(0, None))
+    stress.set(title="Largest stress below the surface", xlabel=label, ylabel="depth, mm", ylim=(0, None))
     stress.invert_yaxis()
 
-    damage.vlines(t["s_mm"], 0, t["damage"], color=style.RAIL, linewidth=1.5)
-    damage.plot(t["s_mm"], t["damage"], "o", color=style.RAIL, markeredgecolor=style.INK)
-    damage.set(title="Damage of one passage (T-gamma)", xlabel=style.UP, ylabel="damage")
+    damage.vlines(x, 0, t["damage"], color=style.RAIL, linewidth=1.5)
+    damage.plot(x, t["damage"], "o", color=style.RAIL, markeredgecolor=style.INK)
+    damage.set(title="Damage of one passage (T-gamma)", xlabel=label, ylabel="damage")
     if not t["damage"].any():
         damage.set_ylim(-0.05 * LARGEST_DAMAGE, LARGEST_DAMAGE)
     return figure
