@@ -9,12 +9,16 @@
 #include "bem_contact/inside/remainder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
+#include <limits>
 #include <utility>
 
 namespace bem_contact::inside {
 
 namespace {
+
+using halfspace::Stress;
 
 double mean_curvature(const StressKernel& kernel, const std::vector<BelowSurface>& points) {
   const auto [first, last] = std::ranges::minmax(points, {}, &BelowSurface::s);
@@ -29,6 +33,33 @@ void require_reached(const StressKernel& kernel, const std::vector<BelowSurface>
                        fmt::format("they reach from s = {:g} to {:g} mm, to a depth of {:g} mm",
                                    kernel.places.front().s, kernel.places.back().s, kernel.depths.back()),
                        "Move it, or compute the file with other keys of [stress].");
+}
+
+double relative_radius(const InfluenceStrip& strip, const ContactRow& at) {
+  return strip.reference_radius == 0 ? 1 : 1 + at.position.z / strip.reference_radius;
+}
+
+/// Of a body of revolution the kernel has the half-space subtracted at one angle, and here it is added at one
+/// length. So a stress is taken too far along x by the ratio of the radii of load and point, which moves it
+/// by at most so much of the largest one there.
+void add_error_of_radii(AreaStresses& area, const InfluenceStrip& strip, const StressKernel& kernel,
+                        const SurfaceTractions& on) {
+  if (strip.reference_radius == 0)
+    return;
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (std::size_t i = 0; i < on.pn.size(); ++i)
+    if (on.at(i) != std::array<double, 3>{}) {
+      const double own = relative_radius(strip, strip.stations[i / static_cast<std::size_t>(on.columns)]);
+      least = std::min(least, own);
+      most = std::max(most, own);
+    }
+  for (std::size_t i = 0; i < area.points.size(); ++i) {
+    const double own = relative_radius(strip, surface_at(kernel, area.points[i].s));
+    double largest = 0;
+    for (const Stress& t : area.flat[i])
+      largest = std::max(largest, von_mises(t));
+    area.error[i] += std::max({0.0, own - least, most - own}) * largest;
+  }
 }
 
 } // namespace
@@ -49,6 +80,7 @@ void add_stresses_by_file(StressesInside& stresses, const SurfaceTractions& trac
       area.positions.push_back(above.position + p.depth * normal_of(above.delta));
     }
     add_remainder(area, plan, sums.at(plan.probes, area.x));
+    add_error_of_radii(area, strip, kernel, on);
   }
   stresses.body = strip.profile;
   stresses.wavenumbers = kernel.remainder.wavenumber.size();

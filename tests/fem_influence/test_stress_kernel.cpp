@@ -54,7 +54,7 @@ struct TwoWays {
 
   /// Largest difference over the largest von Mises stress, at the kernel's own points; and at points between
   /// and above them, where either feels the mesh, what their stated errors do not cover.
-  void expect_equal(const SurfaceTractions& load, double bar) const {
+  void expect_equal(const SurfaceTractions& load, double bar, bool by_stated_errors = false) const {
     const StressKernel found = kernel();
     std::vector<BelowSurface> own;
     for (std::size_t p = 0; p < found.places.size(); p += 3)
@@ -85,7 +85,7 @@ struct TwoWays {
         }
       EXPECT_GT(both, area.points.size() * area.x.size() / 2);
       EXPECT_GT(rest, 5 * bar * largest) << "this test would say nothing";
-      EXPECT_LT(at_own ? worst : beyond, bar * largest) << worst << " below " << largest;
+      EXPECT_LT(at_own && !by_stated_errors ? worst : beyond, bar * largest) << worst << " below " << largest;
     }
   }
 };
@@ -128,17 +128,19 @@ TEST(StressKernel, OfABladeIsOneSolutionForEachWavenumber) {
   ways.expect_equal(contact(0.2), 0.004);
 }
 
-/// Of revolution, as large as a wheel: lengths and loads are those of the radius of each station. The
-/// half-space is subtracted at the angle and added at the length, whose ratio differs between stations: that
-/// is what 0.006 is for.
+/// Of revolution: lengths and loads are those of the radius of each station. The half-space is subtracted at
+/// the angle and added at the length, whose ratio differs between stations: that is what 0.006 is for where
+/// it is as large as a wheel. On a small one the stated error has it.
 TEST(StressKernel, OfARingIsOneSolutionForEachWavenumber) {
-  TwoWays ways(full_circle(ring_radius, false));
-  mesh_ring(ways, false);
-  ways.body.body.kind = BodyKind::outline;
-  ways.body.body.reference_radius = 460;
-  ways.body.body.outline = {{.to = {ring_radius, 0}, .radius = ring_radius, .group = PieceGroup::contact},
-                            {.to = {-ring_radius, 0}, .radius = ring_radius, .group = PieceGroup::held}};
-  ways.expect_equal(contact(middle_of(ways)), 0.006);
+  for (const double radius : {460.0, 60.0}) {
+    TwoWays ways(full_circle(ring_radius, false));
+    mesh_ring(ways, false);
+    ways.body.body.kind = BodyKind::outline;
+    ways.body.body.reference_radius = radius;
+    ways.body.body.outline = {{.to = {ring_radius, 0}, .radius = ring_radius, .group = PieceGroup::contact},
+                              {.to = {-ring_radius, 0}, .radius = ring_radius, .group = PieceGroup::held}};
+    ways.expect_equal(contact(middle_of(ways)), 0.006, radius < 100);
+  }
 }
 
 } // namespace
