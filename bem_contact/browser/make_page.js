@@ -1,6 +1,6 @@
 // Puts the folder of static files together, when it is built:
 //     node make_page.js SOLVER.js SOLVER.wasm LIBRARY FOLDER INFLUENCE_FILE ...
-// SOLVER.js is what emscripten makes with worker.js behind it, LIBRARY the plotting library as pack_library.py packs it.
+// SOLVER.js is what emscripten makes with worker.js behind it; pack_library.py packs the plotting library LIBRARY.
 const fs = require("fs"), path = require("path"), zlib = require("zlib");
 const [script, wasm, library, folder, ...influence] = process.argv.slice(2);
 const {createSolver, answerTo} = require(path.resolve(script));

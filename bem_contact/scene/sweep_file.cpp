@@ -312,6 +312,24 @@ bool has_sweep(const SceneText& given, std::string_view section) {
 
 namespace {
 
+/// Throws InputError for a table that no scene has and whose name is like that of one with lists.
+void require_no_misspelt_section(const SceneText& text, std::string_view section) {
+  std::vector<std::string> own{std::string(section)};
+  if (section == "sweep")
+    own.emplace_back("passage");
+  const toml::table root = parse_toml(text.toml);
+  for (const auto& [name, node] : root) {
+    const bool known = std::ranges::any_of(keys_of_scenes(), [&](const KeyDescription& key) {
+      return key.path.substr(0, key.path.find('.')) == name.str();
+    });
+    const auto like = nearest_names(name.str(), own, 1);
+    if (!known && node.is_table() && !like.empty())
+      throw InputError(
+          fmt::format("{}:{}: unknown table '{}'", text.source, node.source().begin.line, name.str()),
+          "a scene has no such table", fmt::format("Did you mean {}?", like[0]));
+  }
+}
+
 /// Throws InputError where there is no list, too many cases, a key twice, or another number of weights than
 /// of cases.
 void require_cases(const SweepFile& sweep, const std::vector<SweepFile::Axis>& together,
@@ -322,8 +340,7 @@ void require_cases(const SweepFile& sweep, const std::vector<SweepFile::Axis>& t
     for (const SweepFile::Axis& axis : *axes)
       all.push_back(&axis);
   if (all.empty()) {
-    if (!has_sweep(sweep.text, section))
-      parse_scene_file(sweep.text); // says so where the table's name is misspelt
+    require_no_misspelt_section(sweep.text, section);
     throw InputError(
         fmt::format("'{}' describes no {}", source, section),
         fmt::format("it has no table [{}] with lists", section),

@@ -251,7 +251,9 @@ class Numbers(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             page = Path(folder) / "page.html"
             subprocess.run([os.environ["BEM_CONTACT"], "profile", "60E1", "--plot", page], check=True, stdout=subprocess.PIPE)
-            shared = json.JSONDecoder().raw_decode(page.read_text().split("const SHARED = ")[1])[0]
+            text = page.read_text()
+        shared = json.loads((TOOLS.parent / "bem_contact" / "record" / "words.json").read_text())
+        self.assertIn(shared["words"]["pmax"], text)
         self.assertEqual(shared["words"], style.WORDS)
         self.assertEqual({name: (words["title"], words["short"]) for name, words in shared["models"].items()},
                          {name: found[:2] for name, found in style.MODELS.items()})

@@ -152,7 +152,7 @@ class Requests(unittest.TestCase):
             scene = Path(name) / "scene.toml"
             scene.write_text(SCENE.replace("lateral = 0.0", "lateral = 2.5"))
             printed = json.loads(subprocess.run([os.environ["BEM_CONTACT"], "solve", scene, "--json"], capture_output=True, text=True).stdout)
-        timeless = {key: value for key, value in printed.items() if not isinstance(value, dict) or "seconds" not in value}
+        timeless = {key: value for key, value in printed.items() if key != "seconds" and not (isinstance(value, dict) and "seconds" in value)}
         self.assertGreater(len(timeless), 5)
         for key, value in timeless.items():
             self.assertEqual(said["numbers"][key], value, key)

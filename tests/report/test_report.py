@@ -278,26 +278,28 @@ class Report(unittest.TestCase):
         self.assertEqual(show.value("[...document.querySelectorAll('table')].filter(t => !t.closest('details')).length"), 0, kind)
         self.assertEqual(show.value("document.querySelector('main').lastElementChild.id"), "question" if kind != "profile" else "downloads", kind)
 
+    def printed_by(self, module, calls, before=""):
+        """What functions of a module of the page return, by Node."""
+        if not shutil.which("node") or not shutil.which("esbuild"):
+            self.skipTest("node or esbuild is not installed")
+        words = ["esbuild", ROOT / "bem_contact" / "report" / module, "--bundle", "--format=iife", "--global-name=it", "--charset=utf8"]
+        script = before + subprocess.run(words, capture_output=True, text=True, check=True).stdout
+        script += "".join(f"console.log(it.{call}.trimEnd());" for call in calls)
+        return subprocess.run([shutil.which("node"), "-e", script], capture_output=True, text=True, check=True).stdout.splitlines()
+
     def test_digits_are_those_of_the_error(self):
         """As the program rounds (record/error_text.hpp)."""
-        if not shutil.which("node"):
-            self.skipTest("node is not installed")
-        script = "const SHARED = {words: {}, views: {}};" + (ROOT / "bem_contact" / "report" / "numbers.js").read_text()
-        for call, text in (("2627.6, 32.1", "2628 ± 32"), ("34793, 221", "34790 ± 220"), ("12790572, 19723973", "13000000 ± 20000000"),
-                           ("-9.2714e-4, 5.1e-6", "(-9.271 ± 0.051)e-4"), ("1e-5, 0.034", "0.000 ± 0.034"), ("462.51234", "462.51"),
-                           ("null", "–"), ("1e-12, 0.5", "0.00 ± 0.50")):
-            done = subprocess.run([shutil.which("node"), "-e", f"{script}; console.log(number({call}))"], capture_output=True, text=True, check=True)
-            self.assertEqual(done.stdout.strip().replace("\u00a0", " "), text)
+        texts = {"2627.6, 32.1": "2628 ± 32", "34793, 221": "34790 ± 220", "12790572, 19723973": "13000000 ± 20000000",
+                 "-9.2714e-4, 5.1e-6": "(-9.271 ± 0.051)e-4", "1e-5, 0.034": "0.000 ± 0.034", "462.51234": "462.51",
+                 "null": "–", "1e-12, 0.5": "0.00 ± 0.50"}
+        printed = self.printed_by("numbers.js", [f"number({call})" for call in texts])
+        self.assertEqual([text.replace("\u00a0", " ") for text in printed], list(texts.values()))
 
     def test_no_cell_of_a_table_is_a_formula(self):
         """As record::csv_text(): a spreadsheet would compute what begins with one of these."""
-        if not shutil.which("node"):
-            self.skipTest("node is not installed")
-        script = "const document = {getElementById: () => ({})}, window = {addEventListener: () => {}};"
-        script += (ROOT / "bem_contact" / "report" / "drawing.js").read_text()
-        done = subprocess.run([shutil.which("node"), "-e", f"{script}; console.log(csvOf([['=1+1', '@a', '-1.5', '+2', 'a, b', 7]]))"],
-                              capture_output=True, text=True, check=True)
-        self.assertEqual(done.stdout.strip(), '" =1+1"," @a",-1.5," +2","a, b",7')
+        page = "const document = {getElementById: () => ({})}, window = {addEventListener: () => {}};"
+        printed = self.printed_by("drawing.js", ["csvOf([['=1+1', '@a', '-1.5', '+2', 'a, b', 7]])"], page)
+        self.assertEqual(printed, ['" =1+1"," @a",-1.5," +2","a, b",7'])
 
     def look_at_differences(self, show):
         """Of each model, what it has more than the first one; each kind of warning once."""

@@ -66,6 +66,7 @@ std::vector<CollectiveCase> collective_of(const SweepFile& sweep, CaseRange case
 
 std::vector<CaseOnTrack> on_track(const std::vector<CollectiveCase>& cases) {
   std::vector<CaseOnTrack> out;
+  out.reserve(cases.size());
   for (const CollectiveCase& one : cases)
     out.push_back({one.scene.position.uneven.along, one.weight, one.passage});
   return out;
