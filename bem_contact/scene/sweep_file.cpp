@@ -319,9 +319,10 @@ void require_no_misspelt_section(const SceneText& text, std::string_view section
     own.emplace_back("passage");
   const toml::table root = parse_toml(text.toml);
   for (const auto& [name, node] : root) {
-    const bool known = std::ranges::any_of(keys_of_scenes(), [&](const KeyDescription& key) {
-      return key.path.substr(0, key.path.find('.')) == name.str();
-    });
+    const bool known = std::ranges::find(own, name.str()) != own.end() ||
+                       std::ranges::any_of(keys_of_scenes(), [&](const KeyDescription& key) {
+                         return key.path.substr(0, key.path.find('.')) == name.str();
+                       });
     const auto like = nearest_names(name.str(), own, 1);
     if (!known && node.is_table() && !like.empty())
       throw InputError(

@@ -168,8 +168,9 @@ TEST(BodyFile, every_misspelt_key_is_answered_with_the_right_one) {
 }
 
 TEST(BodyFile, unknown_tables_and_misplaced_keys) {
-  EXPECT_EQ(body_refusal("\n[strp]\nfrom = 1"),
-            "body.toml:2: unknown table 'strp' (a body file has no such table) Did you mean strip or stress?");
+  EXPECT_EQ(
+      body_refusal("\n[strp]\nfrom = 1"),
+      "body.toml:2: unknown table 'strp' (a body file has no such table) Did you mean strip or stress?");
   EXPECT_THAT(body_refusal("[mesh]\npoisson = 0.3"), HasSubstr("Did you mean material.poisson?"));
   EXPECT_THAT(body_refusal("qqqqqqqq = 1"), HasSubstr("See --print-default"));
   EXPECT_THAT(body_refusal("strip = 3"),
