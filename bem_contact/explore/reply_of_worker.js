@@ -49,7 +49,7 @@ const askWorker = (what, question) => new Promise((done, failed) => {
 /// What is answered to a question, as a Response; throws where nobody answers. `what`: a name of all_asked
 /// (answers.hpp).
 export const replyTo = async (what, question) => {
-  const needs = files ? {} : await (await askWorker("needs", question)).json();
+  const needs = files || !("text" in question) ? {} : await (await askWorker("needs", question)).json();
   if (needs.problem)
     return /** @type {any} */ (Response).json(needs);
   if (needs.influence)
