@@ -36,7 +36,7 @@ struct Scaling {
   double dx = 0, load = 1;
 };
 
-constexpr Index motions = 6; ///< of the remote section
+constexpr Index remote_motions = 6; ///< of the remote section
 
 /// line -= the sum over the motions of a b, each of which has `length` values for each motion.
 BEM_CONTACT_WIDE void take_products(const double* a, const double* b, Index length, double* __restrict line) {
@@ -52,7 +52,7 @@ public:
   Removed(const InfluenceFunction& f, StationRange range, StructuralCompliance structural, Index nk) {
     if (structural == StructuralCompliance::included)
       return;
-    factor_.resize(nk, motions * 3 * range.count);
+    factor_.resize(nk, remote_motions * 3 * range.count);
     for (Index k = 0; k < nk; ++k)
       factor_.row(k) = remote_factor(f, range, k).reshaped();
   }
@@ -60,12 +60,12 @@ public:
   /// Takes it from the kernel at (row, column) of the range, all wavenumbers.
   void take_from(double* line, Index row, Index column) const {
     if (factor_.size() > 0)
-      take_products(factor_.col(motions * row).data(), factor_.col(motions * column).data(), factor_.rows(),
-                    line);
+      take_products(factor_.col(remote_motions * row).data(), factor_.col(remote_motions * column).data(),
+                    factor_.rows(), line);
   }
 
 private:
-  MatrixXd factor_; ///< [wavenumber][motions column + motion], column-major
+  MatrixXd factor_; ///< [wavenumber][remote_motions column + motion], column-major
 };
 
 /// The kernel of one row of stations against the columns J <= I, as NumberLines has the numbers. The sign is

@@ -43,11 +43,11 @@ std::vector<int> read_ranks(H5Id root, const std::string& name, std::size_t dept
 
 StressForm read_form(H5Id root, const std::string& name, const StressKernel& kernel, std::size_t stations) {
   StressForm out;
-  const std::size_t depths = kernel.depths.size(), places = kernel.places.size();
+  const std::size_t depths = kernel.depths.size(), count = kernel.places.size();
   out.wavenumber = strict_h5::read_table(root, (name + "_wavenumber").c_str(), {0});
-  out.left_rank = read_ranks(root, name + "_left_rank", depths, 6 * places);
+  out.left_rank = read_ranks(root, name + "_left_rank", depths, 6 * count);
   out.right_rank = read_ranks(root, name + "_right_rank", depths, 3 * stations);
-  out.left = strict_h5::read_floats(root, (name + "_left").c_str(), {out.left_columns(), places, 6});
+  out.left = strict_h5::read_floats(root, (name + "_left").c_str(), {out.left_columns(), count, 6});
   out.right = strict_h5::read_floats(root, (name + "_right").c_str(), {out.right_columns(), 3 * stations});
   out.core = strict_h5::read_floats(root, (name + "_core").c_str(), {out.wavenumber.size(), out.core_size()});
   return out;
