@@ -73,6 +73,24 @@ void require_known_options(const toml::table& values, std::string_view table, co
                     fmt::format("{}:{}: ", source, name.source().begin.line));
 }
 
+void require_no_misspelt_section(const SceneText& text, std::string_view section) {
+  std::vector<std::string> own{std::string(section)};
+  if (section == "sweep")
+    own.emplace_back("passage");
+  const toml::table root = parse_toml(text.toml);
+  for (const auto& [name, node] : root) {
+    const bool known = std::ranges::find(own, name.str()) != own.end() ||
+                       std::ranges::any_of(keys_of_scenes(), [&](const KeyDescription& key) {
+                         return key.path.substr(0, key.path.find('.')) == name.str();
+                       });
+    const auto like = nearest_names(name.str(), own, 1);
+    if (!known && node.is_table() && !like.empty())
+      throw InputError(
+          fmt::format("{}:{}: unknown table '{}'", text.source, node.source().begin.line, name.str()),
+          "a scene has no such table", fmt::format("Did you mean {}?", like[0]));
+  }
+}
+
 void require_known_options(const SceneText& scene) {
   if (std::ranges::none_of(option_tables, [&](const OptionTable& table) {
         return scene.toml.find(table.name) != std::string::npos;

@@ -23,9 +23,12 @@ std::span<const std::string_view> option_keys(std::string_view table);
 
 /// Throws InputError, with `source` and line, for a key that the table of this name does not have.
 void require_known_options(const toml::table& values, std::string_view table, const std::string& source);
-/// Does so for all of these tables. A text that is no TOML
-/// passes: whoever reads it says what is wrong.
+/// Does so for all of these tables. A text that is no TOML passes: whoever reads it says what is wrong.
 void require_known_options(const SceneText& scene);
+
+/// Throws InputError for a table that no scene has and whose name is like `section`, a table with lists,
+/// which is not there.
+void require_no_misspelt_section(const SceneText& text, std::string_view section);
 
 /// The files that such a table names, as texts or in lists of texts, and that are there.
 std::vector<std::string> files_of_table(const SceneText& scene, std::string_view table);

@@ -6,6 +6,7 @@
 #include "bem_contact/base/toml.hpp"
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/scene/case_table.hpp"
+#include "bem_contact/scene/command_tables.hpp"
 #include "bem_contact/scene/passage.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/scene/value_range.hpp"
@@ -311,25 +312,6 @@ bool has_sweep(const SceneText& given, std::string_view section) {
 }
 
 namespace {
-
-/// Throws InputError for a table that no scene has and whose name is like that of one with lists.
-void require_no_misspelt_section(const SceneText& text, std::string_view section) {
-  std::vector<std::string> own{std::string(section)};
-  if (section == "sweep")
-    own.emplace_back("passage");
-  const toml::table root = parse_toml(text.toml);
-  for (const auto& [name, node] : root) {
-    const bool known = std::ranges::find(own, name.str()) != own.end() ||
-                       std::ranges::any_of(keys_of_scenes(), [&](const KeyDescription& key) {
-                         return key.path.substr(0, key.path.find('.')) == name.str();
-                       });
-    const auto like = nearest_names(name.str(), own, 1);
-    if (!known && node.is_table() && !like.empty())
-      throw InputError(
-          fmt::format("{}:{}: unknown table '{}'", text.source, node.source().begin.line, name.str()),
-          "a scene has no such table", fmt::format("Did you mean {}?", like[0]));
-  }
-}
 
 /// Throws InputError where there is no list, too many cases, a key twice, or another number of weights than
 /// of cases.
