@@ -117,52 +117,64 @@ void read(hid_t at, const char* name, std::string& value) {
   value = *text;
 }
 
-void write(hid_t at, const FloatTable& table) {
-  const char* name = table.name;
-  const Extents shape(table.shape.begin(), table.shape.end());
-  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, name);
-  const Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
-  check(H5Pset_obj_track_times(list, false) >= 0, name);
-  const Handle set(H5Dcreate2(at, name, H5T_IEEE_F32LE, space, H5P_DEFAULT, list, H5P_DEFAULT), H5Dclose,
-                   name);
-  check(H5Dwrite(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.values.data()) >= 0, name);
-  write(set, "unit", std::string(table.unit));
+namespace {
+
+/// Types in the file and in memory.
+struct NumberType {
+  hid_t stored, native;
+};
+NumberType type_of(const double*) {
+  return {H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE};
+}
+NumberType type_of(const float*) {
+  return {H5T_IEEE_F32LE, H5T_NATIVE_FLOAT};
 }
 
-void write(hid_t at, const Table& table) {
+/// A double or a single table.
+template <class Numbers> void write_numbers(hid_t at, const Numbers& table, Layout layout) {
   const char* name = table.name;
+  const NumberType type = type_of(table.values.data());
   const Extents shape(table.shape.begin(), table.shape.end());
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, name);
   const Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
   check(H5Pset_obj_track_times(list, false) >= 0, name); // the same numbers give the same bytes
-  if (table.layout != Layout::whole) {
+  if (layout != Layout::whole) {
     Extents chunk = shape;
     chunk.front() = 1;
     check(H5Pset_chunk(list, static_cast<int>(chunk.size()), chunk.data()) >= 0, name);
-    if (table.layout == Layout::packed)
+    if (layout == Layout::packed)
       check(H5Pset_shuffle(list) >= 0 && H5Pset_deflate(list, deflate_level) >= 0, name);
     check(H5Pset_fletcher32(list) >= 0, name);
   }
-  const Handle set(H5Dcreate2(at, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, list, H5P_DEFAULT), H5Dclose,
-                   name);
-  check(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.values.data()) >= 0, name);
+  const Handle set(H5Dcreate2(at, name, type.stored, space, H5P_DEFAULT, list, H5P_DEFAULT), H5Dclose, name);
+  check(H5Dwrite(set, type.native, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.values.data()) >= 0, name);
   write(set, "unit", std::string(table.unit));
 }
 
-std::vector<double> read_table(hid_t at, const char* name, Shape wanted) {
+template <class Number> std::vector<Number> read_numbers(hid_t at, const char* name, Shape wanted) {
   const auto [set, shape] = open_table(at, name, std::move(wanted));
-  std::vector<double> values(
+  std::vector<Number> values(
       std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<hsize_t>()));
-  check(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, name);
+  check(H5Dread(set, type_of(values.data()).native, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, name);
   return values;
 }
 
+} // namespace
+
+void write(hid_t at, const FloatTable& table) {
+  write_numbers(at, table, Layout::whole);
+}
+
+void write(hid_t at, const Table& table) {
+  write_numbers(at, table, table.layout);
+}
+
+std::vector<double> read_table(hid_t at, const char* name, Shape wanted) {
+  return read_numbers<double>(at, name, std::move(wanted));
+}
+
 std::vector<float> read_floats(hid_t at, const char* name, Shape wanted) {
-  const auto [set, shape] = open_table(at, name, std::move(wanted));
-  std::vector<float> values(
-      std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<hsize_t>()));
-  check(H5Dread(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, name);
-  return values;
+  return read_numbers<float>(at, name, std::move(wanted));
 }
 
 std::vector<double> read_columns(hid_t at, const char* name, Shape wanted, std::span<const Columns> runs) {

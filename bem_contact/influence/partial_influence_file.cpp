@@ -1,7 +1,6 @@
 #include "bem_contact/influence/partial_influence_file.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/base/sealed_journal.hpp"
 #include "bem_contact/base/sha256.hpp"
 
 #include <cstring>
@@ -14,15 +13,7 @@ namespace {
 /// 1. Error figures that a wavenumber may have in the file of finished ones: more mean a damaged file.
 constexpr std::size_t most_errors = 1000;
 
-constexpr JournalKind wavenumber_journals{
-    .magic = "conformal-contact partial influence 3\n",
-    .owner = "computation",
-    .of_another = "it holds finished wavenumbers of another body, mesh or program version",
-    .of_nobody = "it holds no finished wavenumbers of this version of fem_influence",
-    .what_to_do =
-        "To keep it, give another output with -o, or the body and mesh that it belongs to. To begin "
-        "anew, remove it.",
-    .if_in_use = "Wait for it, or give another output with -o."};
+constexpr JournalKind journals = wavenumber_journals("conformal-contact partial influence 3\n");
 
 template <class T> void append(std::string& bytes, std::span<const T> data) {
   bytes.append(reinterpret_cast<const char*>(data.data()), data.size_bytes());
@@ -50,7 +41,7 @@ struct PartialInfluenceFile::Impl {
        std::span<const double> wavenumbers)
       : rows(3 * stations), wavenumber(wavenumbers.begin(), wavenumbers.end()),
         kernel(wavenumber.size() * lower_size(rows)),
-        journal(file, wavenumber_journals, digest_of(fingerprint, stations, wavenumbers),
+        journal(file, journals, digest_of(fingerprint, stations, wavenumbers),
                 [this](std::string_view record) { read(record); }) {}
   std::size_t numbers() const { return lower_size(rows) + 6 * rows + 36; } ///< without errors
   void keep(std::size_t k, std::vector<double> part) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/base/sealed_journal.hpp"
 #include "bem_contact/influence/influence_function.hpp"
 
 #include <cstddef>
@@ -7,9 +8,21 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bem_contact {
+
+/// Journals of finished wavenumbers; `magic` is their first line.
+constexpr JournalKind wavenumber_journals(std::string_view magic) {
+  return {.magic = magic,
+          .owner = "computation",
+          .of_another = "it holds finished wavenumbers of another body, mesh or program version",
+          .of_nobody = "it holds no finished wavenumbers of this version of fem_influence",
+          .what_to_do = "To keep it, give another output with -o, or the body and mesh that it belongs to. "
+                        "To begin anew, remove it.",
+          .if_in_use = "Wait for it, or give another output with -o."};
+}
 
 /// The wavenumbers that a run has finished so far, in `file` + ".part". A run that was killed goes on from
 /// it.

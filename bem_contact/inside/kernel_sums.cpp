@@ -1,5 +1,6 @@
 #include "bem_contact/inside/kernel_sums.hpp"
 
+#include "bem_contact/base/lagrange.hpp"
 #include "bem_contact/influence/dense.hpp"
 #include "bem_contact/inside/waves.hpp"
 
@@ -30,13 +31,8 @@ struct Neighbours {
     count = std::min(count, values.size());
     const auto above = static_cast<std::size_t>(std::ranges::upper_bound(values, at) - values.begin());
     first = std::min(above > count / 2 ? above - count / 2 : 0, values.size() - count);
-    for (std::size_t i = first; i < first + count; ++i) {
-      double weight = 1;
-      for (std::size_t j = first; j < first + count; ++j)
-        if (j != i)
-          weight *= (at - values[j]) / (values[i] - values[j]);
-      weights.push_back(weight);
-    }
+    weights.resize(count);
+    lagrange_weights(values.subspan(first, count), at, weights);
   }
 };
 
@@ -114,7 +110,8 @@ public:
     Eigen::MatrixXd loads(3 * loaded_.count, 2), places(2, sums_.front().cols());
     for (int J = 0; J < loaded_.count; ++J) {
       const auto station = static_cast<std::size_t>(loaded_.first + J);
-      const WaveOfRow row(tractions, station, wave.k / rho_of(strip_, strip_.stations[station]));
+      const double rho_J = relative_radius(strip_.reference_radius, strip_.stations[station].position.z);
+      const WaveOfRow row(tractions, station, wave.k / rho_J);
       for (int c = 0; c < 3; ++c)
         for (int i = 0; i < 2; ++i)
           loads(3 * J + c, i) = row.amplitudes(static_cast<std::size_t>(c))[static_cast<std::size_t>(i)];
@@ -130,11 +127,6 @@ public:
     for_each_sample(wave.k, [&](std::size_t sample, double weight) { sums_[sample] += weight * product; });
   }
   const std::vector<Eigen::MatrixXd>& sums() const { return sums_; } ///< [wavenumber]
-
-  static double rho_of(const InfluenceStrip& strip, const ContactRow& at) {
-    return strip.reference_radius == 0 ? 1
-                                       : (strip.reference_radius + at.position.z) / strip.reference_radius;
-  }
 
 private:
   /// The lowest waves are samples; between the others a smooth function of log k.
@@ -246,7 +238,8 @@ ProbedRemainder KernelSums::at(std::span<const BelowSurface> points, std::span<c
   double rho = 0;
   for (const BelowSurface& p : points) {
     at.emplace_back(kernel_, s, log_depths, p);
-    rho += WaveLoads::rho_of(strip_, surface_at(kernel_, p.s)) / static_cast<double>(points.size());
+    rho += relative_radius(strip_.reference_radius, surface_at(kernel_, p.s).position.z) /
+           static_cast<double>(points.size());
   }
   ProbedRemainder out{sums(kernel_.remainder, at, x, rho), std::vector<double>(points.size(), 0)};
   if (kernel_.error.wavenumber.empty())

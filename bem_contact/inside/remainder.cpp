@@ -1,5 +1,7 @@
 #include "bem_contact/inside/remainder.hpp"
 
+#include "bem_contact/base/lagrange.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,12 +21,7 @@ namespace {
 /// Lagrange's weights of some places for one.
 template <std::size_t n> std::array<double, n> weights(const std::array<double, n>& places, double at) {
   std::array<double, n> out{};
-  for (std::size_t i = 0; i < n; ++i) {
-    out[i] = 1;
-    for (std::size_t j = 0; j < n; ++j)
-      if (j != i)
-        out[i] *= (at - places[j]) / (places[i] - places[j]);
-  }
+  lagrange_weights(places, at, out);
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include "bem_contact/inside/loaded_inside.hpp"
 #include "bem_contact/inside/on_stations.hpp"
 #include "bem_contact/inside/remainder.hpp"
+#include "bem_contact/inside/waves.hpp"
 
 #include <algorithm>
 #include <array>
@@ -35,10 +36,6 @@ void require_reached(const StressKernel& kernel, const std::vector<BelowSurface>
                        "Move it, or compute the file with other keys of [stress].");
 }
 
-double relative_radius(const InfluenceStrip& strip, const ContactRow& at) {
-  return strip.reference_radius == 0 ? 1 : 1 + at.position.z / strip.reference_radius;
-}
-
 /// Of a body of revolution the kernel has the half-space subtracted at one angle, and here it is added at one
 /// length. So a stress is taken too far along x by the ratio of the radii of load and point, which moves it
 /// by at most so much of the largest one there.
@@ -49,12 +46,14 @@ void add_error_of_radii(AreaStresses& area, const InfluenceStrip& strip, const S
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (std::size_t i = 0; i < on.pn.size(); ++i)
     if (on.at(i) != std::array<double, 3>{}) {
-      const double own = relative_radius(strip, strip.stations[i / static_cast<std::size_t>(on.columns)]);
+      const Station& station = strip.stations[i / static_cast<std::size_t>(on.columns)];
+      const double own = relative_radius(strip.reference_radius, station.position.z);
       least = std::min(least, own);
       most = std::max(most, own);
     }
   for (std::size_t i = 0; i < area.points.size(); ++i) {
-    const double own = relative_radius(strip, surface_at(kernel, area.points[i].s));
+    const double own =
+        relative_radius(strip.reference_radius, surface_at(kernel, area.points[i].s).position.z);
     double largest = 0;
     for (const Stress& t : area.flat[i])
       largest = std::max(largest, von_mises(t));

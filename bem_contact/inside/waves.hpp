@@ -17,6 +17,12 @@ struct Wavenumber {
 /// as they are, and the others as an integral up to `last`, 1/mm. `reach`: of |x| and of the tractions, mm.
 std::vector<Wavenumber> waves_of_series(double half_period, double last, double reach);
 
+/// The radius of a body of revolution where its profile is at z, over that where it is at 0; 1 of a body that
+/// is endless along x (`reference_radius` 0).
+inline double relative_radius(double reference_radius, double z) {
+  return reference_radius == 0 ? 1 : (reference_radius + z) / reference_radius;
+}
+
 /// How far tractions reach along x from x = 0, mm.
 double reach_of(const SurfaceTractions& tractions);
 

@@ -73,16 +73,22 @@ void require_known_options(const toml::table& values, std::string_view table, co
                     fmt::format("{}:{}: ", source, name.source().begin.line));
 }
 
+std::vector<std::string> first_names_of_scenes() {
+  std::vector<std::string> out;
+  for (const KeyDescription& key : keys_of_scenes())
+    if (std::string name = key.path.substr(0, key.path.find('.')); std::ranges::count(out, name) == 0)
+      out.push_back(std::move(name));
+  return out;
+}
+
 void require_no_misspelt_section(const SceneText& text, std::string_view section) {
   std::vector<std::string> own{std::string(section)};
   if (section == "sweep")
     own.emplace_back("passage");
   const toml::table root = parse_toml(text.toml);
+  const std::vector<std::string> scenes = first_names_of_scenes();
   for (const auto& [name, node] : root) {
-    const bool known = std::ranges::find(own, name.str()) != own.end() ||
-                       std::ranges::any_of(keys_of_scenes(), [&](const KeyDescription& key) {
-                         return key.path.substr(0, key.path.find('.')) == name.str();
-                       });
+    const bool known = std::ranges::count(own, name.str()) + std::ranges::count(scenes, name.str()) > 0;
     const auto like = nearest_names(name.str(), own, 1);
     if (!known && node.is_table() && !like.empty())
       throw InputError(

@@ -26,6 +26,9 @@ void require_known_options(const toml::table& values, std::string_view table, co
 /// Does so for all of these tables. A text that is no TOML passes: whoever reads it says what is wrong.
 void require_known_options(const SceneText& scene);
 
+/// What keys of scenes begin with, each once: "rail", "load", "derivatives" ...
+std::vector<std::string> first_names_of_scenes();
+
 /// Throws InputError for a table that no scene has and whose name is like `section`, a table with lists,
 /// which is not there.
 void require_no_misspelt_section(const SceneText& text, std::string_view section);

@@ -93,12 +93,10 @@ struct Reader {
       own.insert(own.end(), {"together", "mode", "fields", "weight"});
     if (section == "table" || std::ranges::find(own, name) != own.end())
       return;
-    std::vector<std::string> known = own;
-    for (const KeyDescription& key : keys_of_scenes()) {
-      known.push_back(key.path.substr(0, key.path.find('.')));
-      if (known.back() == name)
-        return;
-    }
+    std::vector<std::string> known = first_names_of_scenes();
+    if (std::ranges::find(known, name) != known.end())
+      return;
+    known.insert(known.begin(), own.begin(), own.end());
     if (const auto like = nearest_names(name, known, 1);
         !like.empty() && std::ranges::find(own, like[0]) != own.end())
       refuse(line, fmt::format("unknown key '{}.{}'", section, name), "neither this table nor a scene has it",

@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  double rho(double z) const { return radius_ == 0 ? 1 : (radius_ + z) / radius_; }
+  double rho(double z) const { return inside::relative_radius(radius_, z); }
 
   void find_probes(const Section& section) {
     for (const AskedStresses& area : task_.areas) {

@@ -1,7 +1,7 @@
 #include "fem_influence/harmonic/stress_run.hpp"
 
-#include "bem_contact/base/sealed_journal.hpp"
 #include "bem_contact/base/sha256.hpp"
+#include "bem_contact/influence/partial_influence_file.hpp"
 #include "fem_influence/harmonic/stress_forms.hpp"
 #include "fem_influence/harmonic/task_distribution.hpp"
 #include "fem_influence/shared/parallel.hpp"
@@ -22,15 +22,7 @@ std::filesystem::path partial_stresses(const std::filesystem::path& output) {
 
 namespace {
 
-constexpr JournalKind stress_journals{
-    .magic = "conformal-contact partial stresses 1\n",
-    .owner = "computation",
-    .of_another = "it holds finished wavenumbers of another body, mesh or program version",
-    .of_nobody = "it holds no finished wavenumbers of this version of fem_influence",
-    .what_to_do =
-        "To keep it, give another output with -o, or the body and mesh that it belongs to. To begin "
-        "anew, remove it.",
-    .if_in_use = "Wait for it, or give another output with -o."};
+constexpr JournalKind stress_journals = wavenumber_journals("conformal-contact partial stresses 1\n");
 
 /// The finished wavenumbers, on the first process. Each record has its number before its numbers.
 class FinishedStresses {

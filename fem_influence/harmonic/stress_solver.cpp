@@ -1,7 +1,9 @@
 #include "fem_influence/harmonic/stress_solver.hpp"
 
+#include "bem_contact/base/lagrange.hpp"
 #include "bem_contact/halfspace/wave_stress.hpp"
 #include "bem_contact/inside/settings.hpp"
+#include "bem_contact/inside/waves.hpp"
 #include "fem_influence/harmonic/error_estimate.hpp"
 #include "fem_influence/harmonic/harmonic_solver.hpp"
 #include "fem_influence/harmonic/meshed_system.hpp"
@@ -101,23 +103,20 @@ public:
   /// At a place so many stations beside a station.
   UnitStresses at(std::size_t station, int beside, std::size_t depth) const {
     const double own = rho(plan_.stations[station]);
+    std::array<double, most_radii> weights{};
+    lagrange_weights(radii_, own, weights);
     UnitStresses sum{};
     for (std::size_t i = 0; i < radii_.size(); ++i) {
-      double weight = 1 / own;
-      for (std::size_t j = 0; j < radii_.size(); ++j)
-        if (j != i)
-          weight *= (own - radii_[j]) / (radii_[i] - radii_[j]);
       const UnitStresses& wave = waves_[i][depth * count_ + static_cast<std::size_t>(std::abs(beside))];
       for (std::size_t load = 0; load < 3; ++load)
-        sum[load].add(weight, wave[load]);
+        sum[load].add(weights[i] / own, wave[load]);
     }
     return beside < 0 ? halfspace::mirrored(sum) : sum;
   }
 
 private:
-  double rho(const Station& station) const {
-    return radius_ == 0 ? 1 : (radius_ + station.position.z) / radius_;
-  }
+  double rho(const Station& station) const { return inside::relative_radius(radius_, station.position.z); }
+  static constexpr std::size_t most_radii = 3;
   const StressPlan& plan_;
   double radius_;
   std::size_t count_;

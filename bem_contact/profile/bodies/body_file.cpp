@@ -133,8 +133,7 @@ void add_stress(Schema& s, BodyFile::Stress& stress) {
   SchemaTable t(s, "stress");
   t.add("depths", stress.depths,
         "Stresses inside the body under unit loads are kept as well, in so many depths (20 are a good "
-        "choice); 0: "
-        "none",
+        "choice); 0: none",
         {.at_least = 0, .at_most = 100});
   t.add("deepest", stress.deepest, "The deepest of them; they get denser towards the surface",
         {.unit = "mm", .above = 0, .at_most = 200});
