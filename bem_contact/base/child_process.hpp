@@ -45,7 +45,7 @@ public:
 
 private:
   enum class Read { bytes, nothing_yet, end };
-  /// Of its standard error, to the end of `rest_`. `patience`: ms; negative: without end.
+  /// Reads of its standard error, to the end of `rest_`. `patience`: ms; negative: without end.
   Read read_more(int patience);
 
   struct Started;

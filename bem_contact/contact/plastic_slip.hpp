@@ -25,7 +25,7 @@ public:
   /// The answers of all elements, each after those ahead of it; field.
   std::vector<LayerAnswer> answers(const Given& given) const;
 
-  /// Of the element with this plastic slip one and two columns ahead of it, on the grid.
+  /// The layer of the element with this plastic slip one and two columns ahead of it, on the grid.
   LayerElement element(int i, double friction, double one_ahead, double two_ahead) const;
   /// Says whether an element may yield where friction bears at most so much, MPa.
   bool may_yield(double friction) const { return friction > limit().least() || has_yielded_; }

@@ -1,13 +1,16 @@
 #pragma once
 
+#include "bem_contact/base/enum_names.hpp"
 #include "bem_contact/contact/problem.hpp"
 #include "bem_contact/contact/result.hpp"
 #include "bem_contact/contact/solver_options.hpp"
 #include "bem_contact/contact/work.hpp"
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bem_contact {
@@ -20,8 +23,13 @@ struct TangentInput {
   double step = 0; ///< in the unit of the number
 };
 
-/// What an element does at the end of the range of a tangent.
+/// What an element does at the end of the range of a tangent: it leaves the contact or comes into it, reaches
+/// the limit of the pressure or falls below it, begins to slip or to stick.
 enum class StateChange { none, leaves, touches, yields, recovers, slips, sticks };
+template <> struct EnumNames<StateChange> {
+  static constexpr std::array<std::string_view, 7> names{"none",     "leaves", "touches", "yields",
+                                                         "recovers", "slips",  "sticks"};
+};
 
 /// A solution as its linearised equations continue it: elements keep the state that they have.
 struct Tangent {

@@ -38,7 +38,7 @@ private:
   using Remarks = std::vector<Remark>;
 
   Remarks remarks_of(const SceneFile& scene);
-  /// Of one body's file; read once.
+  /// What is to say of one body's file; read once.
   const Remarks& of_file(const SceneFile& scene, ProfileKind kind);
 
   std::map<std::string, Remarks> known_; ///< by file and how it is read

@@ -26,8 +26,8 @@ struct Conformity {
   double rail_radius = 0, wheel_radius = 0;
 
   Fit fit() const;
-  /// Of the radii, rail over wheel: 1 where a concave wheel fits exactly, 0 for a straight wheel, < 0 for a
-  /// convex one.
+  /// The rail's radius over the wheel's: 1 where a concave wheel fits exactly, 0 for a straight wheel, < 0
+  /// for a convex one.
   double ratio() const { return -rail_radius / wheel_radius; }
 };
 

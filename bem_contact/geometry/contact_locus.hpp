@@ -65,7 +65,7 @@ private:
   std::optional<Meridian> meridian(double s, Point2 position, Point2 tangent) const;
   std::optional<Meridian> even_meridian(Point2 position, Point2 tangent) const;
   Vector3 on_circle(double s, Point2 position, const Meridian& m) const; ///< that point, in space
-  /// Of the wheel's normal there, as the half-plane of the roller sees it (a straight rail: the track).
+  /// The wheel's normal at that place, as the half-plane of the roller sees it (a straight rail: the track).
   struct Surface {
     double along_profile = 0; ///< x component of the direction along the profile
     Vector3 normal{};

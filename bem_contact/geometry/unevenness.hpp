@@ -80,7 +80,7 @@ public:
   }
   /// How far a flat and waves bring it nearer to the axle there, on all of the profile, mm.
   double depth(double theta) const;
-  /// Of a wheel of sections; null: of one profile.
+  /// The sections of the wheel; null: it has one profile.
   const SectionedWheel* wheel_sections() const { return sections_ ? &*sections_ : nullptr; }
   /// How far the rail's surface lies lower than a straight rail at x from the wheelset's centre, mm; no_rail
   /// in a gap.

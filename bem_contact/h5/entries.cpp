@@ -63,13 +63,14 @@ bool read_text_attribute(hid_t object, const std::string& name, std::string& tex
   return read;
 }
 
-constexpr const char *role_attribute = "role", *choices_attribute = "choices";
+constexpr const char *role_attribute = "role", *of_attribute = "of", *choices_attribute = "choices";
 
-/// False where they cannot be read. Only what has a role has choices.
+/// False where they cannot be read. Only what has a role has the others.
 bool read_role(hid_t set, H5Dataset& data) {
   std::string choices;
   if (!read_text_attribute(set, role_attribute, data.role) ||
-      (!data.role.empty() && !read_text_attribute(set, choices_attribute, choices)))
+      (!data.role.empty() && !(read_text_attribute(set, of_attribute, data.of) &&
+                               read_text_attribute(set, choices_attribute, choices))))
     return false;
   std::istringstream lines(choices);
   for (std::string line; std::getline(lines, line);)
@@ -248,6 +249,7 @@ bool write_words(hid_t root, const std::string& name, const H5Dataset& data) {
   return set >= 0 && write_attribute(set, "unit", data.unit) &&
          write_attribute(set, "description", data.description) &&
          (data.role.empty() || write_attribute(set, role_attribute, data.role)) &&
+         (data.of.empty() || write_attribute(set, of_attribute, data.of)) &&
          (choices.empty() || write_attribute(set, choices_attribute, choices));
 }
 

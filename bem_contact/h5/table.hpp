@@ -19,7 +19,7 @@
 namespace bem_contact {
 
 /// One dataset of doubles, row-major. Attributes say what it is: "unit", "description", and where there are
-/// some, "role" and "choices".
+/// some, "role", "of" and "choices".
 struct H5Dataset {
   std::vector<std::size_t> shape = {}; ///< length of each dimension; empty: a single number
   std::vector<double> values = {};     ///< as many as the product of the lengths, the last dimension fastest
@@ -28,6 +28,7 @@ struct H5Dataset {
   bool whole = false;                  ///< whole numbers: stored as such, none of them nan
   std::string role = {}; ///< what a reader does with it (record/record.hpp); "": nothing special
   std::vector<std::string> choices = {}; ///< the values count these, from 0; in the file a line each
+  std::string of = {}; ///< the dataset beside it whose error, say, it is: where the role asks for one
 
   static H5Dataset single(double value, std::string unit, std::string description) {
     return {{}, {value}, std::move(unit), std::move(description)};

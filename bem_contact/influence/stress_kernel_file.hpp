@@ -23,7 +23,7 @@ void write_influence_file(const std::filesystem::path& file, const InfluenceFunc
 void write_packed_influence_file(const std::filesystem::path& file, const InfluenceFunction& function,
                                  const StressKernel& stresses);
 
-/// Of an open file.
+/// These read and write a part of an open file.
 StressKernel read_stress_kernel(H5Id root, std::size_t stations);
 void write_stress_kernel(H5Id root, const StressKernel& kernel, std::size_t stations);
 

@@ -171,11 +171,11 @@ std::string doc_of(const char* description, const Unit& unit, const char* shape 
 
 /// Every number of quantities(), and its error.
 void add_quantities(ResultClass& c) {
-  with_errors(
-      quantities(), [&](const std::string& name, const Unit& unit, auto value, const char* description) {
-        c.def_property_readonly(
-            name, [value](const SceneResult& r) { return known(value(r)); }, doc_of(description, unit));
-      });
+  with_errors(quantities(), [&](const std::string& name, const Unit& unit, auto value,
+                                const char* description, const std::string&) {
+    c.def_property_readonly(
+        name, [value](const SceneResult& r) { return known(value(r)); }, doc_of(description, unit));
+  });
 }
 
 /// The stub of all numbers and arrays of quantities.hpp. The build writes it beside that of the package. A

@@ -124,20 +124,21 @@ template <class Columns> constexpr const auto& named(const Columns& columns, std
                                             : throw std::out_of_range("there is no column of that name");
 }
 
-/// Lists the numbers of a table, and behind each its error, if it has one: use(name, unit, value, meaning),
-/// where `value` is the function of the column.
+/// Lists the numbers of a table, and behind each its error, if it has one: use(name, unit, value, meaning,
+/// error_of), where `value` is the function of the column. `error_of`: the name of the number that it is the
+/// error of; "": it is none.
 template <class Columns, class Use> void with_errors(const Columns& columns, const Use& use) {
   for (const auto& c : columns) {
-    use(std::string(c.name), c.unit, c.value, c.meaning);
+    use(std::string(c.name), c.unit, c.value, c.meaning, std::string());
     if (c.error)
-      use(record::error_name(c.name), c.unit, c.error, record::error_meaning);
+      use(record::error_name(c.name), c.unit, c.error, record::error_meaning, std::string(c.name));
   }
 }
 
 /// The numbers of a table in that order. `of`: what their functions take, as the result, and which patch.
 template <class Columns, class... Of> std::vector<double> values_of(const Columns& columns, const Of&... of) {
   std::vector<double> values;
-  with_errors(columns, [&](const std::string&, const Unit&, auto value, const char*) {
+  with_errors(columns, [&](const std::string&, const Unit&, auto value, const char*, const std::string&) {
     values.push_back(value(of...));
   });
   return values;
@@ -161,16 +162,20 @@ template <class Columns, class Of>
 Table table_of(std::string row, const Columns& columns, std::size_t count, bool is_shift, const Of& of) {
   Table out{std::move(row), {}, Layout::columns};
   for (const auto& c : columns) {
-    const auto add = [&](std::string name, const char* meaning, auto value, int digits) {
+    const auto add = [&](std::string name, const char* meaning, auto value, int digits) -> Column& {
       Column& column = out.columns.emplace_back(Column{
           std::move(name), c.unit.of(is_shift), meaning, {}, c.unit.kind == QuantityKind::count, digits});
       column.values.reserve(count);
       for (std::size_t i = 0; i < count; ++i)
         column.values.push_back(of(value, i));
+      return column;
     };
     add(c.name, c.meaning, c.value, c.digits);
-    if (c.error)
-      add(error_name(c.name), error_meaning, c.error, 3);
+    if (c.error) {
+      Column& error = add(error_name(c.name), error_meaning, c.error, 3);
+      error.role = Role::error;
+      error.of = c.name;
+    }
   }
   return out;
 }

@@ -12,27 +12,38 @@ namespace bem_contact::record {
 
 namespace {
 
-/// What a replay adds to the columns of a sweep (uses/sweep/replay_steps.hpp).
-constexpr std::string_view solved_column = "solved", of_run = "_of_run", difference = "_difference";
+/// What a replay adds to the columns of a sweep (uses/sweep/replay_steps.hpp): this one, and for each number
+/// that is compared NAME_of_run and NAME_difference.
+constexpr std::string_view solved_column = "solved";
+
+/// The run's own column of a quantity; "": none.
+std::string_view of_run(const Record& r, std::string_view quantity) {
+  for (const Entry& entry : r.entries())
+    if (const auto* field = std::get_if<Field>(&entry.content);
+        field && field->role == Role::of_run && field->of == quantity)
+      return entry.name;
+  return {};
+}
 
 /// Where the run's own number differs most from ours, of each that is compared.
 std::vector<std::string> differences_text(const Record& r) {
   std::vector<std::string> out;
   for (const Entry& entry : r.entries()) {
-    if (!entry.name.ends_with(difference))
+    const auto* difference = std::get_if<Field>(&entry.content);
+    if (!difference || difference->role != Role::difference)
       continue;
-    const std::string name = entry.name.substr(0, entry.name.size() - difference.size());
-    const std::span<const double> values = values_at(r, entry.name);
+    const std::span<const double> values = difference->values;
     const auto least = smallest_of(r, entry.name), most = largest_of(r, entry.name);
     if (!least || !most)
       continue;
     const std::size_t at = -values[*least] > values[*most] ? *least : *most;
-    const auto theirs = stated_at(r, name + std::string(of_run), at), time = stated_at(r, "note.time", at);
+    const auto theirs = stated_at(r, std::string(of_run(r, difference->of)), at),
+               time = stated_at(r, "note.time", at);
     if (!theirs)
       continue;
     const auto off = *stated_at(r, entry.name, at);
     out.push_back(fmt::format(
-        "The run's own {} differs most at {}: it is {}, {} {} than ours.", name,
+        "The run's own {} differs most at {}: it is {}, {} {} than ours.", difference->of,
         time ? fmt::format("{} (case {})", text_of(*time), at) : fmt::format("case {}", at), text_of(*theirs),
         text_of({std::abs(off.value), off.error, off.unit}), off.value < 0 ? "less" : "more"));
   }
@@ -53,7 +64,8 @@ bool is_replay(const Record& r) {
 }
 
 bool is_of_replay(std::string_view name) {
-  return name == solved_column || name.ends_with(of_run) || name.ends_with(difference) ||
+  constexpr std::string_view run = "_of_run", difference = "_difference";
+  return name == solved_column || name.ends_with(run) || name.ends_with(difference) ||
          name.ends_with(error_name(difference));
 }
 

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <map>
-#include <set>
 #include <sstream>
 
 namespace bem_contact::record {
@@ -36,7 +35,11 @@ public:
   void operator()(const Number& number) {
     table_->datasets[name_] = {{}, {number.value}, number.unit, number.meaning, number.whole};
     if (number.error)
-      table_->datasets[error_name(name_)] = {{}, {*number.error}, number.unit, error_meaning};
+      table_->datasets[error_name(name_)] = {.values = {*number.error},
+                                             .unit = number.unit,
+                                             .description = error_meaning,
+                                             .role = std::string(name_of(Role::error)),
+                                             .of = name_.substr(path_.size())};
   }
   void operator()(const Text& text) {
     if (text.meaning.empty() && text.text.size() < longest_attribute)
@@ -51,10 +54,10 @@ public:
     table_->texts[name_] = {std::move(all), texts.meaning, true};
   }
   void operator()(const Field& values) {
-    table_->datasets[name_] = {values.shape,  {values.values.begin(), values.values.end()},
-                               values.unit,   values.meaning,
-                               false,         std::string(name_of(values.role)),
-                               values.choices};
+    table_->datasets[name_] = {values.shape,   {values.values.begin(), values.values.end()},
+                               values.unit,    values.meaning,
+                               false,          std::string(name_of(values.role)),
+                               values.choices, values.of};
   }
   void operator()(const Table& table) {
     if (table.size() == 0) // as what an answer does not have
@@ -64,8 +67,14 @@ public:
     table_->attributes[group + table_attribute] =
         std::string(table.layout == Layout::rows ? of_rows : of_columns);
     for (const Column& column : table.columns)
-      table_->datasets[group + column.name] = {
-          {column.values.size()}, column.values, column.unit, column.meaning, column.whole};
+      table_->datasets[group + column.name] = {{column.values.size()},
+                                               column.values,
+                                               column.unit,
+                                               column.meaning,
+                                               column.whole,
+                                               std::string(name_of(column.role)),
+                                               {},
+                                               column.of};
   }
   void operator()(const Record& record) { ToH5(*table_, name_ + "/").add(record); }
 
@@ -122,6 +131,10 @@ Content of_text(const H5Text& text) {
   return out;
 }
 
+Role role_of(const H5Dataset& data) {
+  return value_named<Role>(data.role).value_or(Role::other);
+}
+
 Table table_of_node(const Node& node) {
   Table out;
   if (const auto row = node.attributes.find(row_attribute); row != node.attributes.end())
@@ -130,7 +143,13 @@ Table table_of_node(const Node& node) {
   const auto* layout = std::get_if<std::string>(node.attributes.at(table_attribute));
   out.layout = layout && *layout == of_rows ? Layout::rows : Layout::columns;
   for (const auto& [name, data] : node.datasets)
-    out.columns.push_back({name, data->unit, data->description, data->values, data->whole});
+    out.columns.push_back({.name = name,
+                           .unit = data->unit,
+                           .meaning = data->description,
+                           .values = data->values,
+                           .whole = data->whole,
+                           .role = role_of(*data),
+                           .of = data->of});
   return out;
 }
 
@@ -150,24 +169,27 @@ Record record_of_node(const Node& node) {
     out.add(name, of_attribute(*value));
   for (const auto& [name, text] : node.texts)
     out.add(name, of_text(*text));
-  std::set<std::string> errors; // that belong to a number
+  const auto is_one = [](const H5Dataset& data) { return data.shape.empty() && data.values.size() == 1; };
+  std::map<std::string, double> errors; // of the number with this name
   for (const auto& [name, data] : node.datasets)
-    if (const auto error = node.datasets.find(error_name(name));
-        data->shape.empty() && error != node.datasets.end() && error->second->shape.empty())
-      errors.insert(error_name(name));
+    if (const auto number = node.datasets.find(data->of); role_of(*data) == Role::error && is_one(*data) &&
+                                                          number != node.datasets.end() &&
+                                                          is_one(*number->second))
+      errors[data->of] = data->values.front();
   for (const auto& [name, data] : node.datasets) {
-    if (errors.contains(name))
+    if (role_of(*data) == Role::error && is_one(*data) && errors.contains(data->of))
       continue;
     if (!data->shape.empty() || data->values.size() != 1) {
       Field values = field(data->values, data->unit, data->description, data->shape);
-      values.role = value_named<Role>(data->role).value_or(Role::other);
+      values.role = role_of(*data);
       values.choices = data->choices;
+      values.of = data->of;
       out.add(name, std::move(values));
       continue;
     }
     Number number{data->values.front(), data->unit, data->description, {}, data->whole};
-    if (errors.contains(error_name(name)))
-      number.error = node.datasets.at(error_name(name))->values.at(0);
+    if (const auto error = errors.find(name); error != errors.end())
+      number.error = error->second;
     out.add(name, std::move(number));
   }
   for (const auto& [name, group] : node.groups)

@@ -118,19 +118,20 @@ json described(const std::string& unit, const std::string& meaning, const std::v
   return out;
 }
 
-/// Where files keep errors beside the values, under names of their own: each list of errors by the name of
-/// its values. Lists by their names: `numbers`.
-using Lists = std::map<std::string, std::span<const double>>;
-Lists errors_among(const Lists& numbers) {
-  Lists out;
-  for (const auto& [name, values] : numbers)
-    if (const auto found = numbers.find(error_name(name));
-        found != numbers.end() && found->second.size() == values.size())
-      out[name] = found->second;
-  return out;
+/// Errors stand beside their values, under names of their own: those of each name.
+using Errors = std::map<std::string_view, std::span<const double>>;
+
+/// `one`: a field or a column.
+template <class One> void add_errors(Errors& errors, const One& one) {
+  if (one.role == Role::error)
+    errors[one.of] = one.values;
 }
-bool is_error(const std::string& name, const Lists& errors) {
-  return std::ranges::any_of(errors, [&](const auto& one) { return error_name(one.first) == name; });
+
+void add_role(json& numbers, Role role, const std::string& of) {
+  if (role != Role::other)
+    numbers["role"] = name_of(role);
+  if (!of.empty())
+    numbers["of"] = of;
 }
 
 /// Adds what the group `path` holds to `out`.
@@ -140,13 +141,12 @@ public:
       : out_(&out), path_(std::move(path)), left_out_(&left_out) {}
 
   void add(const Record& record) {
-    Lists numbers;
     for (const Entry& entry : record.entries())
       if (const auto* field = std::get_if<Field>(&entry.content))
-        numbers[entry.name] = field->values;
-    errors_ = errors_among(numbers);
+        add_errors(errors_, *field);
     for (const Entry& entry : record.entries())
-      if (!(*left_out_)(path_ + entry.name) && !is_error(entry.name, errors_)) {
+      if (const auto* field = std::get_if<Field>(&entry.content);
+          !(*left_out_)(path_ + entry.name) && !(field && field->role == Role::error)) {
         name_ = entry.name;
         std::visit(*this, entry.content);
       }
@@ -171,26 +171,23 @@ public:
   void operator()(const Field& values) {
     if (values.shape.size() > 3)
       return;
-    const auto errors = errors_.find(name_);
-    json& numbers = (*out_)[name_] =
-        described(values.unit, values.meaning, values.shape, values.values,
-                  errors == errors_.end() ? std::span<const double>() : errors->second);
-    if (values.role != Role::other)
-      numbers["role"] = name_of(values.role);
+    json& numbers = (*out_)[name_] = described(values.unit, values.meaning, values.shape, values.values,
+                                               of_name(errors_, name_, values.values.size()));
+    add_role(numbers, values.role, values.of);
     if (!values.choices.empty())
       numbers["choices"] = values.choices;
   }
   void operator()(const Table& table) {
     json& columns = (*out_)[name_] = json::object();
-    Lists numbers;
+    Errors errors;
     for (const Column& column : table.columns)
-      numbers[column.name] = column.values;
-    const Lists errors = errors_among(numbers);
+      add_errors(errors, column);
     for (const Column& column : table.columns)
-      if (!(*left_out_)(path_ + name_ + "/" + column.name) && !is_error(column.name, errors)) {
-        const auto own = errors.find(column.name);
-        columns[column.name] = described(column.unit, column.meaning, {table.size()}, column.values,
-                                         own == errors.end() ? std::span<const double>() : own->second);
+      if (!(*left_out_)(path_ + name_ + "/" + column.name) && column.role != Role::error) {
+        json& numbers = columns[column.name] =
+            described(column.unit, column.meaning, {table.size()}, column.values,
+                      of_name(errors, column.name, column.values.size()));
+        add_role(numbers, column.role, column.of);
       }
   }
   void operator()(const Record& record) {
@@ -199,9 +196,14 @@ public:
   }
 
 private:
+  static std::span<const double> of_name(const Errors& errors, const std::string& name, std::size_t count) {
+    const auto own = errors.find(name);
+    return own == errors.end() || own->second.size() != count ? std::span<const double>() : own->second;
+  }
+
   json* out_;
   std::string path_, name_;
-  Lists errors_; ///< of the fields of this group
+  Errors errors_; ///< of the fields of this group
   const std::function<bool(std::string_view)>* left_out_;
 };
 

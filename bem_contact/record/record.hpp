@@ -39,7 +39,13 @@ enum class Role {
   other,
   swept,   ///< a key that a sweep varies
   carried, ///< a column that a sweep's table carries along
-  outcome  ///< how cases ended: record::Outcome, which the choices name
+  outcome, ///< how cases ended: record::Outcome, which the choices name
+  // These belong to other numbers, which `of` names:
+  error,      ///< what those are estimated to be off, in their unit
+  right,      ///< those of the right wheel
+  left,       ///< those of the left wheel
+  of_run,     ///< as a vehicle program's own contact model has them
+  difference, ///< that less them
 };
 
 /// Several texts, such as warnings.
@@ -56,6 +62,7 @@ struct Field {
   std::shared_ptr<const void> owner = nullptr; ///< nothing: whoever made the record keeps them
   Role role = Role::other;
   std::vector<std::string> choices = {}; ///< the values count these, from 0; empty: they are numbers
+  std::string of = {};                   ///< a name in the same group, where the role asks for one
 };
 /// A field that owns its values. No shape: one dimension.
 Field field(std::vector<double> values, std::string unit, std::string meaning,
@@ -67,6 +74,8 @@ struct Column {
   std::vector<double> values = {}; ///< one a row; nan: not known
   bool whole = false;              ///< counts
   int digits = 9;                  ///< that are worth printing
+  Role role = Role::other;
+  std::string of = {}; ///< a column of the same table, where the role asks for one
 };
 
 /// How JSON and Python write a table: a list of rows, or an object of columns.
@@ -153,5 +162,6 @@ InputError unknown_path(const Record& record, std::string_view path, std::string
 } // namespace bem_contact::record
 
 template <> struct bem_contact::EnumNames<bem_contact::record::Role> {
-  static constexpr std::array<std::string_view, 4> names{"", "swept", "carried", "outcome"};
+  static constexpr std::array<std::string_view, 9> names{"",      "swept", "carried", "outcome",   "error",
+                                                         "right", "left",  "of_run",  "difference"};
 };

@@ -1,6 +1,6 @@
 // Figures over many contacts: sweeps, creep curves and fits.
 import {ALONG_S, ALONG_X, BOUND, INK, PRESSURE, RAIL, WHEEL} from "./contact_figures.js";
-import {number, ofEither, unitText, valueOf, words} from "./numbers.js";
+import {number, quantityOf, unitText, valueOf, words} from "./numbers.js";
 import {sceneValue} from "./scene_words.js";
 
 export const FORCES = {
@@ -228,12 +228,12 @@ export const sweepFigure = (data, keys, key, names) => {
   for (const [same, cases] of groups) {
     cases.sort((a, b) => over.values[a] - over.values[b]);
     for (const name of names) {
-      const of = ofEither(name); // of wheelsets: the colour of the number, dashed for the left wheel
-      const known = name.endsWith("_of_run")
-        ? OF_RUN : FORCES[of] ?? {colour: INK, dash: "solid", mark: "circle"};
-      const style = of === name ? known : {...known, dash: name.startsWith("left_") ? "dash" : "solid"};
+      const {role} = data[name], ofWheel = role === "right" || role === "left";
+      const known = role === "of_run"
+        ? OF_RUN : FORCES[quantityOf(data, name)] ?? {colour: INK, dash: "solid", mark: "circle"};
+      const style = ofWheel ? {...known, dash: role === "left" ? "dash" : "solid"} : known;
       const pick = column => cases.map(i => column.values[i]);
-      const which = of === name ? name : `${name.split("_")[0]} wheel`;
+      const which = ofWheel ? `${role} wheel` : name;
       const label = [names.length > 1 ? which : "", same].filter(Boolean).join("; ") || name;
       traces.push(lineOver(pick(over), pick(data[name]), label,
                            groups.size > 1 ? {...style, mark: marks[count % marks.length]} : style,
@@ -247,7 +247,7 @@ export const sweepFigure = (data, keys, key, names) => {
     height: 330,
     layout: {
       xaxis: {title: over.title, dtick: key ? undefined : Math.ceil(over.values.length / 15)},
-      yaxis: {title: titled([...new Set(names.map(ofEither))].join(", "), data[names[0]])},
+      yaxis: {title: titled([...new Set(names.map(name => quantityOf(data, name)))].join(", "), data[names[0]])},
       showlegend: traces.length > 1 && traces.length <= 12,
       legend: ABOVE
     }

@@ -32,9 +32,9 @@ export const unitText = unit => unit.replace(/mm\^?2/g, "mm²").replace(/mm\^?3/
 export const sentenceText = text => unitText(text).replaceAll(" +- ", " ±\u00a0");
 
 /// Names of the files as people read them (record/words.json); a name that is not there stands as it is.
-export const ofEither = name => name.replace(/^(right|left)_/, ""); // wheel
-export const words = name =>
-    names[name] ?? (ofEither(name) === name ? name : `${words(ofEither(name))}, ${name.split("_")[0]} wheel`);
+export const words = name => names[name] ?? name;
+/// The quantity that a column is of: "Fy" of "right_Fy" and of "Fy_of_run".
+export const quantityOf = (data, name) => data[name]?.of ?? name;
 
 /// The lines of a text.
 export const linesOf = texts => texts.text.split("\n");

@@ -7,7 +7,7 @@ import {
 } from "./curve_figures.js";
 import {add, addFigure, draw, idPrefix, into} from "./drawing.js";
 import {
-  VIEWS, entryText, inDegrees, known, linesOf, number, ofEither, sentenceText, shortName, unitText, valueOf, words
+  VIEWS, entryText, inDegrees, known, linesOf, number, quantityOf, sentenceText, shortName, unitText, valueOf, words
 } from "./numbers.js";
 import {data, report} from "./shown.js";
 import {addColumns, addLarge, addTable, largest} from "./tables.js";
@@ -54,13 +54,14 @@ const addCaseView = () => {
 };
 
 const variedKeys = () => sweptKeys(data).filter(k => new Set(data[k].values).size > 1);
-const ofWheelsets = () => "right_share" in data;
+const ofWheelsets = () => Object.values(data).some(one => one?.role === "right");
 const isReplay = () => "solved" in data; // of a vehicle program's run
 const alongTrack = () => variedKeys().includes("position.along") && "vertical" in data;
 const sweepKind = () => ofWheelsets() ? "sweep of wheelsets" : alongTrack() ? "sweep along the track" : "sweep";
 const sweepViews = () => VIEWS[isReplay() ? "replay" : sweepKind()];
 /// Both wheels' columns of a name; itself where both have one.
-const ofWheels = name => name in data ? [name] : [`right_${name}`, `left_${name}`];
+const ofWheels = name => name in data ? [name] : ["right", "left"].flatMap(
+  side => Object.keys(data).filter(column => data[column]?.role === side && data[column].of === name));
 let showCase; // of the sweep that is added
 
 const sweepFigures = () => {
@@ -89,7 +90,7 @@ const sweepFigures = () => {
     if (names.length && names.every(name => name in data))
       out.push([
         `over-${names.join("-")}`,
-        `${[...new Set(names.map(ofEither))].map(words).join(" and ")} over the ${key ? words(key) : "cases"}.`,
+        `${[...new Set(names.map(name => quantityOf(data, name)))].map(words).join(" and ")} over the ${key ? words(key) : "cases"}.`,
         {...sweepFigure(data, keys, key, names), click}
       ]);
   return out;

@@ -49,7 +49,7 @@ export const sceneInWords = () => {
   const out = [],
         contact = contactsOf(data)[0] ?? contactsOf(data.at_equal_forces)[0] ?? contactsOf(data.at_equal_position)[0];
   const quantities = contact?.group.quantities ?? {}, q = name => number(quantities[name]?.values[0]);
-  if ("right_share" in data || data.right)
+  if (data.right || Object.values(data).some(one => one?.role === "right"))
     out.push(bothWheels(profile));
   else if (profile("rail"))
     out.push(`A ${sceneValue("position.side") || "right"} wheel ${profile("wheel")} and the nominal radius ` +

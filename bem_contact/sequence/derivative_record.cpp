@@ -41,10 +41,10 @@ Record record_of(const InputDerivatives& input) {
   out.add("patches", patches_of(input));
   out.add("below", reach(input.below, input.unit,
                          "it may be so much smaller until an element changes its state; nan: any"));
-  out.add("at_below", std::string(words_of(input.at_below)));
+  out.add("at_below", std::string(name_of(input.at_below)));
   out.add("above", reach(input.above, input.unit,
                          "it may be so much larger until an element changes its state; nan: any"));
-  out.add("at_above", std::string(words_of(input.at_above)));
+  out.add("at_above", std::string(name_of(input.at_above)));
   return out;
 }
 

@@ -22,23 +22,4 @@ std::span<const std::string_view> derived_patch_numbers() {
   return patch_numbers;
 }
 
-std::string_view words_of(StateChange change) {
-  switch (change) {
-  case StateChange::leaves:
-    return "an element leaves the contact";
-  case StateChange::touches:
-    return "an element comes into contact";
-  case StateChange::yields:
-    return "an element reaches the limit of the pressure";
-  case StateChange::recovers:
-    return "an element falls below the limit of the pressure";
-  case StateChange::slips:
-    return "an element begins to slip";
-  case StateChange::sticks:
-    return "an element begins to stick";
-  default:
-    return "";
-  }
-}
-
 } // namespace bem_contact

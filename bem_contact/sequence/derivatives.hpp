@@ -33,7 +33,4 @@ struct ProfileDerivatives {
 std::span<const std::string_view> derived_totals();
 std::span<const std::string_view> derived_patch_numbers();
 
-/// "an element starts to slip"; "" for none.
-std::string_view words_of(StateChange change);
-
 } // namespace bem_contact

@@ -45,7 +45,7 @@ private:
   std::optional<record::Record> numbers_, whole_;
 };
 
-/// Its tables, and the parts that only some scenes ask for.
+/// These make its tables, and the parts that only some scenes ask for.
 record::Table patches_of(const SceneResult& result);
 record::Table history_of(const SceneResult& result);
 record::Content structure_of(const std::optional<StructuralResult>& structure);

@@ -85,10 +85,10 @@ struct SceneMotion {
   /// wheel_rail: by how much the wheelset's centre is lower where the bodies first touch than wheel_radius
   /// above the rail, mm.
   std::optional<double> lowered;
-  /// Of an uneven wheel or rail: longitudinal force of the pressure on the rail, N, 0 where the wheel alone
+  /// The longitudinal force of the pressure on an uneven rail, N; 0 where the wheel alone
   /// is uneven. Fx is that of the shear tractions.
   std::optional<double> slope_force;
-  /// Of a rail of sections: the frame in which fields of elements are. Totals and patches are in the track's.
+  /// A rail of sections has the fields of elements in this frame. Totals and patches are in the track's.
   std::optional<RailFrame> frame;
   /// Creepages at the reference point, with what was found for prescribed forces. wheel_rail: xi is counted
   /// from motion.rolling_radius, and phi is without the spin of the geometry. Shift: mm, mm and rad. 0

@@ -34,7 +34,7 @@ wear::CasesSolver wear_by(Engine engine, const SweepFile& collective, std::strin
 ConicityMap conicity_map_by(const Engine& engine, const std::optional<SceneText>& scene,
                             const std::vector<SceneChange>& changes, const ConicityMapRange& range);
 
-/// Of a sweep: each reads its files again. Chosen.
+/// A sweep has at most so many portions, because each reads its files again. Chosen.
 inline constexpr std::size_t most_portions = 1000;
 
 /// A sweep with values that all its cases have.

@@ -78,7 +78,7 @@ TEST(YieldingLayer, OneElementIsTheClosedForm) {
   const std::vector<double> shifts{0.02, 0.03, -0.01, -0.09, -0.03, 0.05, 0.06, 0.06, -0.2};
   for (const double layer : {0.0, 1.13e-4, 1.88e-4})
     for (const double mu : {0.7, 0.3})
-      for (const YieldLimit limit :
+      for (const YieldLimit& limit :
            {YieldLimit{200, 0}, {200, 435}, {200, 4e6}, {560, 0}, {200, -500}, {100, -2000}}) {
         SCOPED_TRACE(testing::Message()
                      << layer << ' ' << mu << ' ' << limit.shear << ' ' << limit.hardening);
@@ -200,7 +200,7 @@ DenseRow dense_row(const ContactProblem& problem, const std::vector<double>& pn)
 
 TEST(YieldingLayer, OneRowInRollingIsTheDenseSolution) {
   for (const double compliance : {0.0, 5e-5})
-    for (const YieldLimit limit :
+    for (const YieldLimit& limit :
          {YieldLimit{60, 0}, {60, 1e3}, {60, 2e4}, {60, 4e5}, {120, -500}, {60, -2e3}})
       for (const double xi : {5e-4, 2e-3, 2e-2}) {
         SCOPED_TRACE(testing::Message()

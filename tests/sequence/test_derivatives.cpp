@@ -367,8 +367,9 @@ TEST(Derivatives, OfThePointsOfProfilesAreThoseOfDifferences) {
         const std::string name(derived_totals()[n]);
         const double noise = 1e-11 * std::abs(sides.upper.all.at(name)) / sides.step,
                      difference = (sides.upper.all.at(name) - sides.lower.all.at(name)) / (2 * sides.step);
-        if (largest[n] > 0)
+        if (largest[n] > 0) {
           EXPECT_NEAR(d.totals[n], difference, 1e-5 * largest[n] + noise) << profile.name << " " << name;
+        }
       }
       sum += d.totals[7];
     }
@@ -465,8 +466,9 @@ TEST(Derivatives, OfRandomCasesAreThoseOfDifferences) {
       "{} cases: {} inputs without a change of state nearby, worst {:.1e}; {} with one, at most {:.1e} "
       "outside of both one-sided differences; {} refused\n",
       cases, smooth, worst, bent, outside, refused);
-  if (cases >= 10) // one of each kind
+  if (cases >= 10) { // one of each kind
     EXPECT_GT(smooth, 10 * bent);
+  }
 }
 
 } // namespace

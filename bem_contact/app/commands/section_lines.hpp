@@ -15,8 +15,8 @@ struct SectionLines {
   std::string csv;
 };
 
-/// Of a slices file, or of a scene with sections; nothing of any other file. Throws InputError for sections
-/// that make no surface.
+/// Reads them from a slices file or a scene with sections; nothing of any other file. Throws InputError for
+/// sections that make no surface.
 std::optional<SectionLines> section_lines(const std::string& name, const ProfileReading& reading);
 
 } // namespace bem_contact::app

@@ -25,7 +25,7 @@ struct HeadlineNumber {
 /// What a part's file says; of a sweep without the fields of its cases. Empty: it has no file.
 record::Record record_of_part(const PartResult& result);
 
-/// Those of all parts, in their order.
+/// The headline numbers of all parts, in their order.
 std::vector<HeadlineNumber> headline_of(const std::vector<PartResult>& results);
 
 /// What study.h5 holds: the scene, what was taken, the headline as a table with its names beside it, what it

@@ -12,8 +12,8 @@ namespace bem_contact::contact {
 /// The error of a number is the sum of four parts. Each entry is a share, 1.
 struct ErrorShares {
   double change = 0; ///< of the change from elements twice as large
-  /// Of what whole elements leave open even where larger ones give the same number, because the border of the
-  /// contact is known to a part of an element only.
+  /// Share of what whole elements leave open even where larger ones give the same number, because the border
+  /// of the contact is known to a part of an element only.
   double local = 0;
   double peak = 0; ///< of how far the pressure (of temperatures: they) falls beside its peak
   /// Of the root of the sum of squares over the elements in adhesion, whose errors are taken as independent.

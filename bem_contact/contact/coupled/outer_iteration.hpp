@@ -52,7 +52,7 @@ Eigen::VectorXd former_slip(const ContactProblem& problem, const Shear& shear, W
 void iterate_once(const CoupledSystem& system, const SolverOptions& options, const Eigen::VectorXd& v,
                   const NormalLoad& load, WorkBudget& work, Solution& solution);
 
-/// Its second half: the tangential problem under the pressure of `solution`. With friction.
+/// The second half of an iteration: the tangential problem under the pressure of `solution`, with friction.
 void solve_shear(const CoupledSystem& system, const SolverOptions& options, WorkBudget& work,
                  Solution& solution);
 

@@ -66,8 +66,8 @@ public:
   /// of the one before.
   Real* kernel();
   void transform_kernel(Complex* symbol, std::ptrdiff_t stride);
-  /// Of real spectra [frequency][length_s] of kernels even in x those of the kernels' halves behind, in which
-  /// what lies at 0 and at the far end counts half; until the next kernel or product.
+  /// Takes real spectra [frequency][length_s] of kernels even in x and gives those of their halves behind, in
+  /// which what lies at 0 and at the far end counts half; until the next kernel or product.
   const Complex* half_behind(const std::vector<Real>& spectra);
 
 private:

@@ -72,7 +72,7 @@ public:
   ProfileCurve section(double u, std::vector<double>& t) const;
 
 private:
-  /// Of one section at one node: the point and its tangents by t on both sides, and what each changes by
+  /// One node of one section: the point, its tangents by t on both sides, and what each of these changes by
   /// along u.
   struct Node {
     Point2 position, before, after, position_u, before_u, after_u;

@@ -9,7 +9,7 @@
 /// miniprofstandardcalc), wheel wear and rail wear.
 namespace bem_contact {
 
-/// Of a wheel's flange, mm. The tread's height counts at the tape circle.
+/// Numbers of a wheel's flange, mm. The tread's height counts at the tape circle.
 struct FlangeNumbers {
   double Sh = 0; ///< height of the tip above the tread
   double Sd = 0; ///< thickness: from the flange back to the face, 10 mm above the tread

@@ -25,7 +25,7 @@ struct SimplifiedPatch {
 /// that touches in an ellipse is Hertz's own.
 std::vector<SimplifiedPatch> simplified_patches(const ContactSetup& setup, const ContactProblem& problem);
 
-/// Of a place, as a share of the ellipse's radius in that direction: 1 on its border.
+/// How far out a place lies, as a share of the ellipse's radius in that direction: 1 on its border.
 double radius_in(const SimplifiedPatch& patch, double x, double s);
 
 /// Elements whose middle lies in the ellipse and in no larger one, row by row, each row from its leading

@@ -57,7 +57,8 @@ struct WheelsetConicity {
   /// (tan gamma at rated_amplitude + 1 mm - that at rated_amplitude - 1 mm) / 2 mm, 1/mm (Polach, Proc. IAVSD
   /// 2009, and Polach and Nicklisch, Wear 366 (2016) 200). nan where one of them has no motion.
   double nonlinearity = std::numeric_limits<double>::quiet_NaN();
-  /// Of the right wheel on its rail: upright in the middle, and with the flange root at the gauge corner.
+  /// How closely the right wheel fits its rail: upright in the middle, and with the flange root at the gauge
+  /// corner.
   std::vector<Conformity> conformity;
 };
 

@@ -45,7 +45,7 @@ struct CreepPoint {
   CreepForceValues coarse{};    ///< coarse_forces_of() it
   double adhesion_share = 0;    ///< of the area in contact
   bool certified = false;       ///< the certificate holds
-  /// Of forces by what the scene names as `derivatives`, in the order of the names there; not kept by tasks.
+  /// What the forces change by per unit of each of the scene's `derivatives`, in its order; tasks keep none.
   std::vector<CreepForceValues> slopes = {};
 };
 
@@ -93,7 +93,7 @@ struct HeldContact {
   bool operator==(const HeldContact&) const = default;
 };
 
-/// Of a scene and its first solution.
+/// What the curves of a scene hold, by its first solution.
 HeldContact held_by(const SceneFile& scene, const SceneResult& first);
 
 /// Solves a scene at its own creepages, with what is held. Throws as Sequence::solve() does.

@@ -22,6 +22,15 @@ record::Content matrix(const CreepMatrix* m, const char* meaning) {
   return field(std::move(values), "Fx, Fs: N (by phi: N mm); Mz: N mm (by phi: N mm2)", meaning, {3, 3});
 }
 
+/// Of the numbers of that name.
+record::Content errors_of(const char* name, const CreepMatrix& errors) {
+  record::Content out = matrix(&errors, "by the size of the elements and of the differences' steps");
+  auto& values = std::get<record::Field>(out);
+  values.role = record::Role::error;
+  values.of = name;
+  return out;
+}
+
 /// Kalker's theory, of the nearest ellipse.
 record::Content ellipse_of(const std::optional<LinearTheory>& l) {
   if (!l)
@@ -70,7 +79,6 @@ record::Table table_of(const CreepCurve& curve) {
 }
 
 Record record_of(const CreepCurves& c) {
-  constexpr const char* by_elements = "by the size of the elements and of the differences' steps";
   Record curves;
   for (const CreepCurve& curve : c.curves)
     curves.add(std::string(name_of(curve.which)), table_of(curve));
@@ -87,10 +95,10 @@ Record record_of(const CreepCurves& c) {
        field({rigid.begin(), rigid.end()}, "1, 1, 1/mm",
              "xi, eta, phi of the scene's rigid slip, with those that the geometry makes")},
       {"slopes", matrix(&c.slopes.values, "[Fx, Fs, Mz][xi, eta, phi] where nothing moves over the other")},
-      {"slopes_error", matrix(&c.slopes.errors, by_elements)},
+      {"slopes_error", errors_of("slopes", c.slopes.errors)},
       {"sensitivities",
        matrix(&c.sensitivities.values, "[Fx, Fs, Mz][xi, eta, phi] at the scene's creepages")},
-      {"sensitivities_error", matrix(&c.sensitivities.errors, by_elements)},
+      {"sensitivities_error", errors_of("sensitivities", c.sensitivities.errors)},
       {"linearised", matrix(c.linearised ? &*c.linearised : nullptr,
                             "the sensitivities from one linear system, with the pressure held")},
       {"kalker", matrix(c.linear ? &c.linear->slopes : nullptr,

@@ -82,7 +82,11 @@ record::Record record_of(const MeasuredForces& m) {
       measured{"measured", unit, "force on the rail", m.measured},
       scatter{"scatter", unit, "standard deviation of what was measured", m.scatter},
       computed{"computed", unit, "force on the rail", {}},
-      error{"computed_error", unit, record::error_meaning, {}};
+      error{.name = "computed_error",
+            .unit = unit,
+            .meaning = record::error_meaning,
+            .role = record::Role::error,
+            .of = "computed"};
   for (std::size_t i = 0; i < m.computed.size(); ++i) {
     computed.values.push_back(force_of(m, i).value);
     error.values.push_back(force_of(m, i).error);

@@ -25,7 +25,7 @@ struct Judged {
 std::vector<Judged> judged_of(const std::vector<SweepColumn>& columns) {
   std::vector<Judged> out;
   for (std::size_t k = 0; k + 1 < columns.size(); ++k)
-    if (columns[k + 1].name == record::error_name(columns[k].name))
+    if (columns[k + 1].role == record::Role::error && columns[k + 1].of == columns[k].name)
       out.push_back({k, k + 1});
   return out;
 }
@@ -227,10 +227,12 @@ std::vector<SweepColumn> replay_columns(const SweepFile::Replay& replay) {
   std::vector<SweepColumn> out{
       {"solved", "1", "1: the step was solved; 0: it lies within the tolerance between two that were"}};
   for (const SweepFile::Replay::Compared& one : replay.compared) {
-    out.push_back({one.quantity + "_of_run", one.unit, "as the run's own contact model has it"});
+    out.push_back({one.quantity + "_of_run", one.unit, "as the run's own contact model has it",
+                   record::Role::of_run, one.quantity});
     const std::string difference = one.quantity + "_difference";
-    out.push_back({difference, one.unit, "the run's own less ours"});
-    out.push_back({record::error_name(difference), one.unit, "estimated error of ours; nan: not known"});
+    out.push_back({difference, one.unit, "the run's own less ours", record::Role::difference, one.quantity});
+    out.push_back({record::error_name(difference), one.unit, "estimated error of ours; nan: not known",
+                   record::Role::error, difference});
   }
   return out;
 }
@@ -240,13 +242,15 @@ void replay_steps(const SweepFile& sweep, CaseRange steps, const std::function<S
   Steps all(sweep, steps, solve);
   all.answer();
   const std::vector<SweepColumn> columns = columns_of_contacts(sweep).cases;
-  const auto place = [&](const std::string& name) {
-    return static_cast<std::size_t>(std::ranges::find(columns, name, &SweepColumn::name) - columns.begin());
+  const auto place = [&](const auto& is) {
+    return static_cast<std::size_t>(std::ranges::find_if(columns, is) - columns.begin());
   };
   const std::vector<SweepFile::Replay::Compared>& compared = sweep.replay->compared;
   std::vector<Judged> places; // the error of some numbers is not stated
   for (const SweepFile::Replay::Compared& one : compared)
-    places.push_back({place(one.quantity), place(record::error_name(one.quantity))});
+    places.push_back(
+        {place([&](const SweepColumn& c) { return c.name == one.quantity; }),
+         place([&](const SweepColumn& c) { return c.role == record::Role::error && c.of == one.quantity; })});
   for (SweepCase& step : all.take()) {
     if (!step.summary.empty()) {
       step.summary.push_back(all.is_solved(step.index) ? 1 : 0);

@@ -31,8 +31,10 @@ std::string model_numbers() {
 /// Of a table of sequence/quantities.hpp.
 template <class Table> std::vector<SweepColumn> columns_of_table(const Table& table) {
   std::vector<SweepColumn> all;
-  with_errors(table, [&](const std::string& name, const Unit& unit, auto, const char* description) {
-    all.push_back({name, unit.text(), description});
+  with_errors(table, [&](const std::string& name, const Unit& unit, auto, const char* description,
+                         const std::string& error_of) {
+    all.push_back({name, unit.text(), description,
+                   error_of.empty() ? record::Role::other : record::Role::error, error_of});
   });
   return all;
 }
@@ -48,7 +50,8 @@ std::vector<SweepColumn> columns_of_wheelsets() {
   for (const WheelSide side : both_sides) {
     const auto add = [&](const char* name, const std::string& unit, const std::string& description) {
       all.push_back({fmt::format("{}_{}", name_of(side), name), unit,
-                     fmt::format("{} wheel: {}", name_of(side), description)});
+                     fmt::format("{} wheel: {}", name_of(side), description),
+                     side == WheelSide::right ? record::Role::right : record::Role::left, name});
     };
     for (const WheelQuantity& q : wheel_quantities())
       add(q.name, q.unit.rolling, q.meaning);
@@ -127,7 +130,7 @@ SweepColumns columns_of(const SweepFile& sweep) {
 }
 
 bool is_model(const SweepColumn& column) {
-  return column.name.ends_with(model_column);
+  return column.name == model_column || column.of == model_column;
 }
 
 std::vector<double> summary_of(const SceneResult& result, std::span<const std::string> inputs) {

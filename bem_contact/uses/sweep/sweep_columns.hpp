@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/record/record.hpp"
 #include "bem_contact/uses/sweep/sweep_case.hpp"
 #include "bem_contact/uses/wheelset/solve_wheelset.hpp"
 
@@ -13,6 +14,8 @@ namespace bem_contact {
 /// What stands in one column of a table.
 struct SweepColumn {
   std::string name, unit, description; ///< as all outputs give them
+  record::Role role = record::Role::other;
+  std::string of = {}; ///< another column, where the role asks for one
 };
 /// The columns of both tables of a sweep.
 ///

@@ -118,17 +118,22 @@ void add_axes(H5Table& table, const std::string& group, const SweepFile& sweep,
   }
 }
 
+H5Dataset line_of(const SweepColumn& column, std::vector<double> values) {
+  H5Dataset out = H5Dataset::line(std::move(values), column.unit, column.description);
+  out.role = name_of(column.role);
+  out.of = column.of;
+  return out;
+}
+
 void add_patches(H5Table& table, const SweepFile& sweep, const SweepColumns& columns, SweepNumbers& numbers) {
-  const auto add = [&](const std::string& name, std::vector<double> values, const std::string& unit,
-                       const std::string& description) {
-    table.datasets[patch_group + name] = H5Dataset::line(std::move(values), unit, description);
+  const auto add = [&](const SweepColumn& column, std::vector<double> values) {
+    table.datasets[patch_group + column.name] = line_of(column, std::move(values));
   };
-  add("case", {numbers.patch_case.begin(), numbers.patch_case.end()}, "1", "the case, from 0");
-  add("patch", {numbers.patch_rank.begin(), numbers.patch_rank.end()}, "1", "1: the largest force");
+  add({"case", "1", "the case, from 0"}, {numbers.patch_case.begin(), numbers.patch_case.end()});
+  add({"patch", "1", "1: the largest force"}, {numbers.patch_rank.begin(), numbers.patch_rank.end()});
   add_axes(table, patch_group, sweep, numbers.patch_case);
   for (std::size_t k = 0; k < numbers.patches.size(); ++k)
-    add(columns.patches[k].name, std::move(numbers.patches[k]), columns.patches[k].unit,
-        columns.patches[k].description);
+    add(columns.patches[k], std::move(numbers.patches[k]));
 }
 
 } // namespace
@@ -151,8 +156,7 @@ H5Table table_of(const SweepFile& sweep, const SweepColumns& columns, std::span<
   SweepNumbers numbers = numbers_of(cases, columns);
   for (std::size_t k = 0; k < numbers.cases.size(); ++k) {
     const SweepColumn& column = columns.cases[k];
-    table.datasets[column.name] =
-        H5Dataset::line(std::move(numbers.cases[k]), column.unit, column.description);
+    table.datasets[column.name] = line_of(column, std::move(numbers.cases[k]));
   }
   if (!columns.patches.empty())
     add_patches(table, sweep, columns, numbers);

@@ -55,7 +55,7 @@ struct SweepSummary {
   std::string more;       ///< lines about warnings and seconds
   bool certified = false; ///< every case
 };
-/// Of a sweep's file, or of one of a part, with so many cases.
+/// Sums up a sweep's file, or one of a part, with so many cases.
 SweepSummary sweep_summary(const H5Reader& file, std::size_t cases);
 
 } // namespace bem_contact

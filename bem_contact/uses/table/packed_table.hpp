@@ -23,7 +23,7 @@ struct PackedForces {
   std::vector<double> values, errors; ///< [column], errors as stated
   std::vector<double> derivatives;    ///< [column][axis]
 };
-/// For users. Throws InputError outside the axes, and for another number of coordinates.
+/// Looks forces up. Throws InputError outside the axes, and for another number of coordinates.
 PackedForces look_up(const ContactTable& table, std::span<const double> packed, std::span<const double> at);
 
 } // namespace bem_contact::table

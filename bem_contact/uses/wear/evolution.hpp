@@ -60,7 +60,7 @@ struct WornPair {
   /// The bodies. Of a rail of sections the area alone: mean along its passages.
   WornBody rail, wheel;
   double revolutions = 0; ///< of the wheel
-  /// Of the step that led here: wavelength of its smoothing, mm, and how much that took of the deepest place
+  /// How the step that led here was smoothed: the wavelength, mm, and how much it took of the deepest place
   /// of either body, over its depth.
   double smoothing = 0, smoothed_off = 0;
   std::vector<WornSection> sections =

@@ -22,7 +22,7 @@ struct KeptInfluence {
   std::vector<Point2> shape;
 };
 
-/// Those of both bodies.
+/// What is kept of both bodies.
 struct KeptPair {
   KeptInfluence rail, wheel; ///< each has a file, or none
 };

@@ -17,9 +17,9 @@ struct WearRates {
   double mgt_rail_depth = 0, mgt_rail_area = 0; ///< mm and mm^2 by a million gross tonnes of such axles
 };
 
-/// Of a wheel on a rail. `axle_force`: vertical force of both wheels, N. The wheel turns once in 2 pi rolling
-/// radius / (1 - xi), and 1e6 t are 1e6 t / axle load passages. Throws InputError for a patch, which has no
-/// wheel.
+/// What wears of a wheel and its rail. `axle_force`: vertical force of both wheels, N. The wheel turns once
+/// in 2 pi rolling radius / (1 - xi), and 1e6 t are 1e6 t / axle load passages. Throws InputError for a
+/// patch, which has no wheel.
 WearRates rates_of(const SceneResult& result, const Wear& wear, double axle_force);
 
 /// The numbers, in the order of the outputs.

@@ -58,9 +58,9 @@ struct WheelsetState {
 
   /// The result of one wheel, in the track frame of its side.
   const SceneResult& solved(WheelSide side) const { return side == WheelSide::right ? right : left; }
-  /// Of one wheel at its tape circle, mm.
+  /// The radius of one wheel at its tape circle, mm.
   double radius(WheelSide side) const { return side == WheelSide::right ? wheel_radius : left_wheel_radius; }
-  /// On the rail of one wheel: track frame, about the wheelset's centre.
+  /// What one wheel does to its rail: track frame, about the wheelset's centre.
   const Wrench& wrench(WheelSide side) const { return side == WheelSide::right ? right_wrench : left_wrench; }
   /// On both rails: track frame, about the wheelset's centre.
   Wrench sum() const { return right_wrench + left_wrench; }

@@ -65,18 +65,25 @@ def draw_patches(figure, axis, patches, over):
     axis.set(title="Patches on the rail: bars as wide as they are", xlabel="y, mm")
 
 
+def beside(file, quantity, role):
+    """The column of that role of a quantity, "right_Fy" say; None if there is none."""
+    return next((name for name, data in file.items() if isinstance(data, h5py.Dataset)
+                 and text(data.attrs.get("role", "")) == role and text(data.attrs.get("of", "")) == quantity), None)
+
+
 def draw_totals(axis, file, names, over, groups, certified, joined):
     for k, (label, cases) in enumerate(groups.items()):
         cases = np.array(sorted(cases, key=lambda i: over[i]))
         for name in names:
             colour, dash, mark = style.look(name)
+            error = beside(file, name, "error")
             if len(groups) > 1:
                 mark = MARKS[k % len(MARKS)]
             words = ", ".join(word for word in (name if len(names) > 1 else "", label) if word)
             sure = cases[certified[cases]]
-            axis.errorbar(over[sure], file[name][:][sure], yerr=np.nan_to_num(file[f"{name}_error"][:][sure]) if f"{name}_error" in file
-                          else None, linestyle=dash if joined else "none", color=colour, marker=mark, markersize=4.5, elinewidth=1,
-                          capsize=2, label=words)
+            axis.errorbar(over[sure], file[name][:][sure], yerr=np.nan_to_num(file[error][:][sure]) if error else None,
+                          linestyle=dash if joined else "none", color=colour, marker=mark, markersize=4.5, elinewidth=1, capsize=2,
+                          label=words)
     axis.set_ylabel(style.titled(names[0] if len(names) == 1 else ", ".join(names), text(file[names[0]].attrs["unit"])))
     if len(groups) * len(names) > 1 and len(groups) * len(names) <= 8:
         axis.legend()
@@ -85,19 +92,19 @@ def draw_totals(axis, file, names, over, groups, certified, joined):
 def draw_wheels(axis, file, quantity, over, groups, certified, joined):
     """A number of the right wheel (solid) and of the left one (dashed), or one of both."""
     colour, _, mark = style.look(quantity)
-    sides = [side for side in ("right", "left") if f"{side}_{quantity}" in file]
+    sides = {side: beside(file, quantity, side) for side in ("right", "left") if quantity not in file} or {"": quantity}
     for k, (label, cases) in enumerate(groups.items()):
         sure = np.array([i for i in sorted(cases, key=lambda i: over[i]) if certified[i]])
-        for side in sides or [""]:
+        for side, column in sides.items():
             dash = "--" if side == "left" else "-"
             words = ", ".join(word for word in (side, label) if word)
-            axis.plot(over[sure], file[f"{side}_{quantity}" if side else quantity][:][sure],
+            axis.plot(over[sure], file[column][:][sure],
                       **style.line((colour, dash, MARKS[k % len(MARKS)] if len(groups) > 1 else mark), markersize=4.5, label=words)
                       | ({} if joined else {"linestyle": "none"}))
-    unit = text(file[f"right_{quantity}" if sides else quantity].attrs["unit"])
+    unit = text(file[next(iter(sides.values()))].attrs["unit"])
     axis.set_ylabel(style.titled(quantity, unit))
     style.degrees_beside(axis, y=unit)
-    if 1 < len(groups) * len(sides or [""]) <= 8:
+    if 1 < len(groups) * len(sides) <= 8:
         axis.legend()
 
 
@@ -173,7 +180,7 @@ def draw_passage(file, certified, left_out):
 def figures_of(file, view, lead, certified):
     """The figures of a view: lists of the names that it draws in one panel, of which the file knows each."""
     def is_known(name):
-        columns = [column for column in (name, f"right_{name}", f"left_{name}") if column in file]
+        columns = [name] if name in file else [column for side in ("right", "left") if (column := beside(file, name, side))]
         return any(np.isfinite(file[column][:][certified]).any() for column in columns)
 
     return [names for names in VIEWS[view]["figures"] if lead != f"position.{names[0]}" and all(map(is_known, names))]
@@ -201,7 +208,7 @@ def draw(files):
         left_out = "" if certified.all() else f"; {(~certified).sum()} without a certificate are left out"
         if list(keys) == [PASSAGE] and "vertical" in file and "patches" in file and np.isfinite(file["patches/y"][:]).any():
             return draw_passage(file, certified, left_out)
-        wheelsets = "right_share" in file
+        wheelsets = any(text(data.attrs.get("role", "")) == "right" for data in file.values())
         shown = figures_of(file, "sweep of wheelsets" if wheelsets else "sweep along the track" if lead == PASSAGE else "sweep", lead, certified)
         columns = -(-(len(shown) + (not wheelsets)) // 2)
         figure, axes = style.panels(2, columns, (12.5 if columns < 3 else 5.7 * columns, 8.8))
