@@ -5,26 +5,26 @@
 
 namespace bem_contact {
 
-// What HDF5 and JSON say under "format": the kind, and a number that rises when a name in it changes. Files
-// of another number are refused.
-inline constexpr const char* result_format = "bem_contact result 4";
-inline constexpr const char* case_format = "bem_contact case 4"; ///< of a sweep
-inline constexpr const char* comparison_format = "bem_contact comparison 4";
-inline constexpr const char* sweep_format = "bem_contact sweep 5";
-inline constexpr const char* sweep_part_format = "bem_contact sweep part 1";
-inline constexpr const char* wheelset_format = "bem_contact wheelset 3";
+// What HDF5 and JSON say under "format": the kind, and a number that rises when a name or a role in it
+// changes. Files of another number are refused.
+inline constexpr const char* result_format = "bem_contact result 5";
+inline constexpr const char* case_format = "bem_contact case 5"; ///< of a sweep
+inline constexpr const char* comparison_format = "bem_contact comparison 5";
+inline constexpr const char* sweep_format = "bem_contact sweep 6";
+inline constexpr const char* sweep_part_format = "bem_contact sweep part 2";
+inline constexpr const char* wheelset_format = "bem_contact wheelset 4";
 inline constexpr const char* conicity_format = "bem_contact conicity 2";
 inline constexpr const char* conicity_map_format = "bem_contact conicity map 1";
-inline constexpr const char* creep_curves_format = "bem_contact creep curves 2";
-inline constexpr const char* fit_format = "bem_contact fit 1";
-inline constexpr const char* fatigue_format = "bem_contact fatigue 2";
-inline constexpr const char* stresses_format = "bem_contact stresses 1";
-inline constexpr const char* shakedown_format = "bem_contact shakedown 1";
+inline constexpr const char* creep_curves_format = "bem_contact creep curves 3";
+inline constexpr const char* fit_format = "bem_contact fit 2";
+inline constexpr const char* fatigue_format = "bem_contact fatigue 3";
+inline constexpr const char* stresses_format = "bem_contact stresses 2";
+inline constexpr const char* shakedown_format = "bem_contact shakedown 2";
 inline constexpr const char* table_format = "bem_contact table 4";
 inline constexpr const char* wear_format = "bem_contact wear 2";
 inline constexpr const char* contact_wear_format = "bem_contact wear of one contact 1";
 inline constexpr const char* from_contact_format = "bem_contact from-contact 1";
-inline constexpr const char* study_format = "bem_contact study 1";
+inline constexpr const char* study_format = "bem_contact study 2";
 inline constexpr const char* profile_format = "bem_contact profile 1"; ///< JSON alone
 inline constexpr const char* numbers_format = "conformal-contact influence numbers 2";
 

@@ -146,7 +146,8 @@ public:
         add_errors(errors_, *field);
     for (const Entry& entry : record.entries())
       if (const auto* field = std::get_if<Field>(&entry.content);
-          !(*left_out_)(path_ + entry.name) && !(field && field->role == Role::error)) {
+          !(*left_out_)(path_ + entry.name) &&
+          !(field && field->role == Role::error && find(record, field->of))) {
         name_ = entry.name;
         std::visit(*this, entry.content);
       }
@@ -183,7 +184,8 @@ public:
     for (const Column& column : table.columns)
       add_errors(errors, column);
     for (const Column& column : table.columns)
-      if (!(*left_out_)(path_ + name_ + "/" + column.name) && column.role != Role::error) {
+      if (!(*left_out_)(path_ + name_ + "/" + column.name) &&
+          !(column.role == Role::error && table.column(column.of))) {
         json& numbers = columns[column.name] =
             described(column.unit, column.meaning, {table.size()}, column.values,
                       of_name(errors, column.name, column.values.size()));

@@ -150,15 +150,29 @@ TEST(Record, IsSaidInWords) {
 
 /// A page finds errors beside their values, whether they are those of a number, a column or a field.
 TEST(Record, SaysErrorsToPagesBesideTheValues) {
+  const auto error_of = [](const char* name, std::vector<double> values) {
+    Field out = field(std::move(values), "N", "");
+    out.role = Role::error;
+    out.of = name;
+    return out;
+  };
+  const Column fn{"Fn", "N", "", {5, 6}},
+      error{.name = "Fn_error", .unit = "N", .values = {0.5, 0.6}, .role = Role::error, .of = "Fn"};
   const Record r{{"Fx", field({1, 2}, "N", "")},
-                 {"Fx_error", field({0.1, 0.2}, "N", "")},
-                 {"area_error", field({1}, "mm2", "of nothing here")},
-                 {"rows", Table{"row", {{"Fn", "N", "", {5, 6}}, {"Fn_error", "N", "", {0.5, 0.6}}}}}};
-  const json j = json::parse(to_described_json(r, [](std::string_view) { return false; }));
-  EXPECT_EQ(j["Fx"]["errors"], json({0.1, 0.2}));
-  EXPECT_EQ(j["rows"]["Fn"]["errors"], json({0.5, 0.6}));
-  EXPECT_FALSE(j.contains("Fx_error") || j["rows"].contains("Fn_error"));
-  EXPECT_TRUE(j.contains("area_error"));
+                 {"how_wrong", error_of("Fx", {0.1, 0.2})},
+                 {"Fx_error", field({3, 4}, "N", "its name says nothing")},
+                 {"area_error", error_of("area", {1})}, // of nothing here
+                 {"rows", Table{"row", {fn, error}}}};
+  const TemporaryFolder folder;
+  write_hdf5(folder / "r.h5", r);
+  for (const Record& one : {r, read_hdf5(folder / "r.h5")}) {
+    const json j = json::parse(to_described_json(one, [](std::string_view) { return false; }));
+    EXPECT_EQ(j["Fx"]["errors"], json({0.1, 0.2}));
+    EXPECT_EQ(j["rows"]["Fn"]["errors"], json({0.5, 0.6}));
+    EXPECT_FALSE(j.contains("how_wrong") || j["rows"].contains("Fn_error"));
+    EXPECT_EQ(j["Fx_error"]["values"], json({3, 4}));
+    EXPECT_TRUE(j.contains("area_error"));
+  }
 }
 
 /// The page's form: everything of a field beside its numbers; what is left out is left out.
