@@ -33,7 +33,7 @@ const add = (type, value) => {
   return type;
 };
 
-/// {path: "MPa: largest pressure"} of a result that is described as on a page.
+/// {path: "MPa: largest pressure"} of a result that is described.
 const meanings = new Map();
 const describe = (described, at = "") => {
   if (described === null || typeof described !== "object")
@@ -73,17 +73,16 @@ const written = (type, at, indent) => {
 const results = nothing(), wheelsets = nothing();
 for (const scene of scenes) {
   const question = {text: fs.readFileSync(scene, "utf8"), files: {}};
-  for (const name of fs.readdirSync(path.dirname(scene)))
-    if (question.text.includes(`"${name}`))
-      question.files[name] = fs.readFileSync(path.join(path.dirname(scene), name), "utf8");
+  for (const named of JSON.parse(ask("names", question)).files ?? [])
+    if (!named.influence)
+      question.files[named.name] = fs.readFileSync(path.join(path.dirname(scene), named.name), "utf8");
   const answers = ["numbers", "fields"].map(what => JSON.parse(ask(what, question)));
   if (answers[0].problem) {
     console.error(`${scene}: ${answers[0].problem.message}`);
     continue;
   }
   answers.forEach(answer => add(answer.wheelset ? wheelsets : results, answer));
-  const page = ask("report", question);
-  describe(JSON.parse(/<script type="application\/json" id="data">(.*?)<\/script>/s.exec(page)[1]).data);
+  describe(JSON.parse(ask("described", question)));
 }
 if (results.seen === 0 || wheelsets.seen === 0)
   throw new Error("No scene of one kind was solved (its types are made from an answer) Name a scene of each kind.");

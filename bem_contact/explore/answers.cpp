@@ -8,6 +8,7 @@
 #include "bem_contact/explore/settings.hpp"
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/found.hpp"
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/record/json.hpp"
 #include "bem_contact/record/outcome.hpp"
@@ -193,6 +194,24 @@ Reply Answers::numbers(const std::string& question) {
 
 Reply Answers::fields(const std::string& question) {
   return printed_as(question, {.fields = true});
+}
+
+Reply Answers::described(const std::string& question) {
+  return replied(question, [&](const Question& asked) {
+    const KeptRecord answer =
+        as_by_the_command(asked, [](const auto& r) { return printed(r, {.fields = true}); });
+    const auto nothing_left_out = [](std::string_view) { return false; };
+    return Reply{json_type, record::to_described_json(record::with_found(answer.record), nothing_left_out)};
+  });
+}
+
+Reply Answers::names(const std::string& question) {
+  return replied(question, [&](const Question& asked) {
+    auto list = nlohmann::json::array();
+    for (const NamedFile& named : scenes_.names(asked))
+      list.push_back({{"key", named.key}, {"name", named.name}, {"influence", names_influence(named.key)}});
+    return Reply{json_type, nlohmann::json{{"files", list}}.dump()};
+  });
 }
 
 Reply Answers::result(const std::string& question) {

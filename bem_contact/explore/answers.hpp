@@ -40,6 +40,11 @@ public:
   Reply numbers(const std::string& question);
   /// And what lies on the grid: coordinates, tractions ...
   Reply fields(const std::string& question);
+  /// The same as fields() with meanings and errors beside the values, in the form of the page.
+  Reply described(const std::string& question);
+  /// The files that the scene names, whether they are there or not: {"files": [{"key", "name",
+  /// "influence"}]}. No file need come with the question.
+  Reply names(const std::string& question);
   /// Whether the solution may read influence files: {"influence": true}.
   Reply needs(const std::string& question);
   /// The scene as a file.
@@ -94,11 +99,12 @@ struct Asked {
   Reply (Answers::*reply)(const std::string& question);
 };
 inline constexpr std::array all_asked{
-    Asked{"needs", &Answers::needs},     Asked{"answer", &Answers::answer},
-    Asked{"numbers", &Answers::numbers}, Asked{"fields", &Answers::fields},
-    Asked{"scene", &Answers::scene},     Asked{"result", &Answers::result},
-    Asked{"report", &Answers::report},   Asked{"bodies", &Answers::bodies},
-    Asked{"compute", &Answers::compute}, Asked{"computing", &Answers::computing},
+    Asked{"needs", &Answers::needs},         Asked{"answer", &Answers::answer},
+    Asked{"numbers", &Answers::numbers},     Asked{"fields", &Answers::fields},
+    Asked{"described", &Answers::described}, Asked{"names", &Answers::names},
+    Asked{"scene", &Answers::scene},         Asked{"result", &Answers::result},
+    Asked{"report", &Answers::report},       Asked{"bodies", &Answers::bodies},
+    Asked{"compute", &Answers::compute},     Asked{"computing", &Answers::computing},
     Asked{"cancel", &Answers::cancel}};
 
 } // namespace bem_contact::explore

@@ -6,7 +6,6 @@
 #include "bem_contact/explore/settings.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/scene/directly_named.hpp"
-#include "bem_contact/scene/scene_reader.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -144,10 +143,25 @@ void AskedScenes::require_readable(const NamedFile& file) const {
         "Drop the file on the page, or start bem_contact explore with a scene that names it.");
 }
 
-SceneFile AskedScenes::scene(const Question& question) {
+SceneReader AskedScenes::reader_of(const Question& question) const {
   SceneReader reader(text_of(question));
   for (const SceneChange& change : question.changes)
     reader.set(change);
+  return reader;
+}
+
+std::vector<NamedFile> AskedScenes::names(const Question& question) const {
+  std::vector<NamedFile> out;
+  for (NamedFile& named : directly_named(reader_of(question).scene()))
+    if (!names_profile(named.key) || !is_standard_profile(named.name)) {
+      named.name = without_part(named.key, named.name);
+      out.push_back(std::move(named));
+    }
+  return out;
+}
+
+SceneFile AskedScenes::scene(const Question& question) {
+  SceneReader reader = reader_of(question);
   // Names alone: a body file is not opened before it is known that it may be.
   for (const NamedFile& named : directly_named(reader.scene())) {
     const std::string name = without_part(named.key, named.name);

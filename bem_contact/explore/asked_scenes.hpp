@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/explore/start.hpp"
+#include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
 
 #include <filesystem>
@@ -37,6 +38,8 @@ public:
   SceneFile scene(const Question& question);
   /// To be kept: the text with its changes, and names as the text has them.
   GivenScene given(const Question& question);
+  /// What its keys name, but for standard profiles; of "FILE#2" the name is FILE. No file is read.
+  std::vector<NamedFile> names(const Question& question) const;
   /// From now on a scene may name this file of ours.
   void hold(const std::string& name, const std::filesystem::path& file);
   /// What a message says, without the folder of copies.
@@ -53,6 +56,7 @@ private:
   void require_readable(const NamedFile& file) const;
   std::optional<std::filesystem::path> of_ours(const std::string& name);
   SceneText text_of(const Question& question) const;
+  SceneReader reader_of(const Question& question) const;
 
   std::string source_;
   std::filesystem::path folder_;             ///< where relative paths of scenes start

@@ -99,6 +99,46 @@ TEST(Answers, SayWhetherInfluenceFilesAreNeeded) {
   EXPECT_EQ(answer_of(answers, small)["data"]["scene_values"]["attributes"]["solver.model"], "halfspace");
 }
 
+/// Programs that send a scene's files along ask which these are. None of them is there, and none is opened.
+TEST(Answers, NameTheFilesOfAScene) {
+  Answers answers(Start{.scene = {small}});
+  const auto names = [&](const std::string& text, const json& changes = json::object()) {
+    const json question{{"text", text}, {"changes", changes}, {"files", json::object()}, {"window", "test"}};
+    return json::parse(answers.names(question.dump()).body);
+  };
+  EXPECT_EQ(names(small)["files"], json::array()); // standard profiles alone
+  const std::string scene =
+      "# not \"this.txt\"\nrail.profile = 'worn\\rail.mini#2'\nwheel.profile = \"S1002\"\nload.force = 5e4\n"
+      "rail.influence = \"rail.h5\"\nwheel.influence = \"wheel.h5\"\n";
+  const auto file = [](const char* key, const char* name, bool influence) {
+    return json{{"key", key}, {"name", name}, {"influence", influence}};
+  };
+  EXPECT_THAT(names(scene)["files"],
+              testing::UnorderedElementsAre(file("rail.profile", "worn\\rail.mini", false),
+                                            file("rail.influence", "rail.h5", true),
+                                            file("wheel.influence", "wheel.h5", true)));
+  EXPECT_THAT(names(scene, {{"wheel.profile", "mine.whl"}})["files"],
+              testing::Contains(file("wheel.profile", "mine.whl", false)));
+  EXPECT_THAT(problem_of(names(scene, {{"load.farce", 1}})), HasSubstr("load.force"));
+}
+
+/// Errors stand beside their values, so that nobody tells them by their names.
+TEST(Answers, AreDescribed) {
+  Answers answers(Start{.scene = {small}});
+  const json question{
+      {"text", small}, {"changes", json::object()}, {"files", json::object()}, {"window", "test"}};
+  const json said = json::parse(answers.described(question.dump()).body),
+             plain = json::parse(answers.numbers(question.dump()).body);
+  const json& pmax = said.at("quantities").at("pmax");
+  EXPECT_EQ(pmax.at("values").at(0), plain.at("quantities").at("pmax"));
+  EXPECT_EQ(pmax.at("errors").at(0), plain.at("quantities").at("pmax_error"));
+  EXPECT_EQ(pmax.at("unit"), "MPa");
+  EXPECT_EQ(said.at("attributes").at("certified"), 1);
+  EXPECT_THAT(said.at("found").at("text").get<std::string>(),
+              HasSubstr(plain.at("found").at(0).get<std::string>()));
+  EXPECT_FALSE(said.at("quantities").contains("pmax_error"));
+}
+
 TEST(Answers, SayWhatIsWrong) {
   Answers answers(Start{.scene = {small}});
   EXPECT_THAT(problem_of(answer_of(answers, small, {{"position.latteral", 1.0}})),

@@ -20,9 +20,11 @@ fs::path folder_of_package(const fs::path& bin) {
   for (const fs::path& folder : {bin / "../python", bin / ".." / CONFORMAL_PYTHON_DIR, bin / "../.."})
     if (std::error_code unknown; fs::is_directory(folder / "bem_contact/plotting", unknown))
       return folder.lexically_normal();
-  throw InputError("The Python package bem_contact was not found",
-                   fmt::format("it is neither beside '{}' nor where it is installed", bin.string()),
-                   "Install the Debian package conformal-contact, or build the target bem_contact_python.");
+  throw InputError(
+      "The Python package bem_contact was not found",
+      fmt::format("it is neither beside '{}' nor where it is installed", bin.string()),
+      "Call bem_contact report, which draws result files on a page and needs no Python, or install "
+      "the Debian package conformal-contact, or build the target bem_contact_python.");
 }
 
 void put_first(const char* variable, const fs::path& folder) {
@@ -37,8 +39,8 @@ void become_python(const fs::path& python, const std::string& module,
                    const std::vector<std::string>& arguments) {
   if (!file_exists(python))
     throw InputError("No picture can be drawn", fmt::format("there is no '{}'", python.string()),
-                     "Install the Debian packages python3, python3-h5py and python3-matplotlib: sudo apt-get "
-                     "install python3 python3-h5py python3-matplotlib");
+                     "Call bem_contact report, which draws result files on a page and needs no Python, or on "
+                     "Debian: sudo apt-get install python3 python3-h5py python3-matplotlib");
   const fs::path bin = this_program().parent_path();
   put_first("PYTHONPATH", folder_of_package(bin));
   set_variable("CONFORMAL_BIN", bin);

@@ -9,11 +9,14 @@ export class ContactError extends Error {
   }
 }
 
-/// solve()'s arguments as a message for solver.js.
-export const questionOf = (scene, {changes = {}, files = {}, influence = {}, fields = false} = {}) => {
+/// What is asked when solve() has these options.
+export const solvedAs = ({fields = false} = {}) => fields ? "fields" : "numbers";
+
+/// A question as a message for solver.js. `what`: a name of all_asked (explore/answers.hpp); the rest are solve()'s arguments.
+export const questionOf = (what, scene, {changes = {}, files = {}, influence = {}} = {}) => {
   if (typeof scene !== "string")
     throw new TypeError("The scene is no text (solve() takes TOML, not a file) Read the file, and give its text.");
-  return {what: fields ? "fields" : "numbers", question: JSON.stringify({text: scene, changes, files}), influence};
+  return {what, question: JSON.stringify({text: scene, changes, files}), influence};
 };
 
 /// The reply's bytes as a result. Throws ContactError.

@@ -3,7 +3,8 @@
 import {existsSync, readFileSync, statSync} from "node:fs";
 import path from "node:path";
 import {parseArgs} from "node:util";
-import {solve} from "./node.mjs";
+import {questionOf, resultOf, solvedAs} from "./ask.mjs";
+import {replyTo} from "./solver.mjs";
 
 const HELP = `Solves a wheel-rail contact, as bem_contact solve does.
     npx conformal-contact solve SCENE.toml [--json] [--fields] [--model NAME]
@@ -17,50 +18,61 @@ the certificate does not hold. 1: an unforeseen error.
 `;
 const wrong_input = 2, no_convergence = 3;
 
-/// The files that the scene names: every text of it that is a file, seen from its folder. FILE#2 is a part of FILE.
-const filesOf = (scene, folder) => {
+/// The reply of the solver, as an object. Throws ContactError.
+const ask = async (what, scene, options) => resultOf(await replyTo(questionOf(what, scene, options)));
+
+/// The files that the scene names, as far as they are there; of the others the solver says that they are not.
+const filesOf = async (scene, changes, folder) => {
   const files = {}, influence = {};
-  for (const [, double, single] of scene.matchAll(/"([^"\n]+)"|'([^'\n]+)'/g)) {
-    const text = double === undefined ? single : double.replaceAll("\\\\", "\\");
-    for (const name of new Set([text, text.replace(/#[^#]*$/, "")])) {
-      const file = path.resolve(folder, name);
-      if (!existsSync(file) || !statSync(file).isFile())
-        continue;
-      if (name.endsWith(".h5"))
-        influence[name] = readFileSync(file);
-      else
-        files[name] = readFileSync(file, "utf8");
-    }
+  for (const named of (await ask("names", scene, {changes})).files) {
+    const file = path.resolve(folder, named.name);
+    if (!existsSync(file) || !statSync(file).isFile())
+      continue;
+    if (named.influence)
+      influence[named.name] = readFileSync(file);
+    else
+      files[named.name] = readFileSync(file, "utf8");
   }
   return {files, influence};
 };
 
 const numberText = value => value === null || value === undefined ? "-" : String(+value.toPrecision(7));
 
-/// What was found in sentences, and each number with its error and unit; of a wheelset those of each wheel.
+/// What was found in sentences, and each number with its error and unit; of a wheelset those of each wheel. `result` is described.
 const textOf = result => {
-  const lines = [...result.found];
-  const add = (title, path, group) => {
+  const lines = [result.found.text];
+  const add = (title, group) => {
+    if (!group)
+      return;
     lines.push("", title);
-    for (const [name, value] of Object.entries(group)) {
-      if (typeof value !== "number" || name.endsWith("_error"))
-        continue;
-      const error = group[`${name}_error`], unit = result.units[path + name] ?? result.units[name];
-      lines.push(`  ${name.padEnd(24)}${numberText(value).padStart(14)}${
-        error > 0 ? ` +- ${error.toPrecision(2)}` : ""}${unit && unit !== "1" ? ` ${unit}` : ""}`);
-    }
+    for (const [name, {unit, shape, values, errors}] of Object.entries(group))
+      if (shape?.length === 0) // a number
+        lines.push(`  ${name.padEnd(24)}${numberText(values[0]).padStart(14)}${
+          errors?.[0] > 0 ? ` +- ${errors[0].toPrecision(2)}` : ""}${unit && unit !== "1" ? ` ${unit}` : ""}`);
   };
-  if (result.quantities)
-    add("Numbers", "quantities/", result.quantities);
-  if (result.wheelset)
-    add("Wheelset", "wheelset/", result.wheelset);
-  for (const side of ["right", "left"])
-    if (result[side]?.track)
-      add(`Wheel on the ${side}`, `${side}/track/`, result[side].track);
+  add("Numbers", result.quantities);
+  add("Wheelset", result.wheelset);
+  add("Wheel on the right", result.right?.track);
+  add("Wheel on the left", result.left?.track);
   return lines.join("\n") + "\n";
 };
 
-const certified = result => result.certified ?? ["right", "left"].every(side => result[side].result.certified);
+/// Prints the result for people. Returns whether its certificate holds.
+const printText = result => {
+  for (const warning of result.warnings.text.split("\n")) // one line for each
+    if (warning)
+      console.error(`warning: ${warning}`);
+  process.stdout.write(textOf(result));
+  return result.attributes.certified === 1;
+};
+
+/// And for programs.
+const printJson = result => {
+  for (const warning of result.warnings)
+    console.error(`warning: ${warning}`);
+  process.stdout.write(JSON.stringify(result, null, 2) + "\n");
+  return result.certified;
+};
 
 const run = async () => {
   const {values, positionals} = parseArgs({
@@ -87,11 +99,9 @@ const run = async () => {
     return console.error(`error: The scene '${file}' cannot be read (${error.code}) Name a file that is there.`), wrong_input;
   }
   const changes = values.model === undefined ? {} : {"solver.model": values.model};
-  const result = await solve(scene, {changes, fields: values.fields, ...filesOf(scene, path.dirname(file))});
-  for (const warning of result.warnings ?? [])
-    console.error(`warning: ${warning}`);
-  process.stdout.write(values.json ? JSON.stringify(result, null, 2) + "\n" : textOf(result));
-  return certified(result) ? 0 : no_convergence;
+  const options = {changes, ...await filesOf(scene, changes, path.dirname(file))};
+  const certified = values.json ? printJson(await ask(solvedAs(values), scene, options)) : printText(await ask("described", scene, options));
+  return certified ? 0 : no_convergence;
 };
 
 try {

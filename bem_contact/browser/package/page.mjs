@@ -1,5 +1,5 @@
 // solve() in a page: in a worker, so that the page goes on meanwhile. One question is with the worker at a time.
-import {ContactError, questionOf, resultOf} from "./ask.mjs";
+import {ContactError, questionOf, resultOf, solvedAs} from "./ask.mjs";
 
 const fetched = async file => {
   const response = await fetch(file);
@@ -33,7 +33,7 @@ const ask = async message => {
 };
 
 export const solve = async (scene, options) => {
-  const message = questionOf(scene, options);
+  const message = questionOf(solvedAs(options), scene, options);
   const reply = before.then(() => ask(message));
   before = reply.catch(() => {});
   return resultOf(await reply);

@@ -16,5 +16,5 @@ set(CMAKE_FIND_ROOT_PATH ${CONFORMAL_PARTS}/windows /usr/x86_64-w64-mingw32)
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
-find_program(wine NAMES wine wine64 /usr/lib/wine/wine64)
+find_program(wine NAMES wine64 wine PATHS /usr/lib/wine) # wine64 itself before the script, which asks for 32 bits
 set(CMAKE_CROSSCOMPILING_EMULATOR ${wine})
