@@ -149,6 +149,12 @@ SectionedRail::OnBody SectionedRail::on_body(double x, const ContactRow& row) co
   return {u, surface_->body_of(t), surface_->on_body(t)};
 }
 
+std::optional<SectionedRail::OnBody> SectionedRail::on_section(const ContactRow& row) const {
+  const auto [u, t] = start(row);
+  return surface_->has(u, t) ? std::optional(OnBody{u, surface_->body_of(t), surface_->on_body(t)})
+                             : std::nullopt;
+}
+
 SectionedRail::Direction SectionedRail::direction(double x, const ContactRow& row) const {
   const auto at = found(x, row);
   const Seen p = seen(at ? *at : start(row));

@@ -47,6 +47,13 @@ public:
     double t = 0; ///< across, on that body (SectionedSurface), mm
   };
   OnBody on_body(double x, const ContactRow& row) const;
+  /// The same of the row itself, on the prism; nothing where there is no rail.
+  std::optional<OnBody> on_section(const ContactRow& row) const;
+  /// The arc length of a point of a body on the profile of its section at `place`, mm
+  /// (SectionedSurface::arc_length()).
+  std::optional<double> arc_length(const OnBody& point, double place) const {
+    return surface_->surface(point.body).arc_length(place, point.t);
+  }
 
   /// Unit vector in the rail's surface over a point of the frame that lies ahead of it, track frame: the
   /// rolling direction, projected. And by how much a wheel that rolls along it moves down, over V.

@@ -17,6 +17,47 @@ export const profilesFigure = (profiles, what) => {
                                   : {title: "curvature, 1/mm", range: [-most, most]}}};
 };
 
+/// Points of equal `key` as one line with gaps, in the order of `over`: where the next point is farther than `apart`.
+const linesBy = (points, key, over, what, apart = Infinity) => {
+  const lines = new Map(), x = [], y = [];
+  for (const p of points)
+    lines.set(`${p.body} ${p[key]}`, [...lines.get(`${p.body} ${p[key]}`) ?? [], p]);
+  for (const line of lines.values()) {
+    line.sort((a, b) => a[over] - b[over]).forEach((p, k) => {
+      if (k > 0 && p.u - line[k - 1].u > apart)
+        x.push(null), y.push(null);
+      x.push(p.u), y.push(p[what]);
+    });
+    x.push(null), y.push(null);
+  }
+  return {type: "scatter", mode: "lines", x, y, connectgaps: false};
+};
+
+/// Which points of sections correspond, over the way along the track. `what`: "y" from above, "z" from the side.
+export const correspondenceFigure = (lines, what) => {
+  const points = lines.u.values.map((u, k) => ({
+    u, body: lines.body.values[k], t: lines.t.values[k], line: lines.line.values[k] > 0,
+    section: lines.section.values[k] > 0, y: lines.y.values[k], z: lines.z.values[k]
+  }));
+  const places = [...new Set(points.filter(p => p.section).map(p => p.u))].sort((a, b) => a - b);
+  const apart = 1.01 * Math.max(...places.slice(1).map((u, k) => u - places[k])); // a body that ends and begins again
+  return {
+    height: 380,
+    traces: [
+      {...linesBy(points.filter(p => !p.line), "t", "u", what, apart), name: "what corresponds between the lines",
+       line: {color: RAIL_FACE, width: 0.8}, hoverinfo: "skip"},
+      {...linesBy(points.filter(p => p.section), "u", "t", what), name: "sections", line: {color: INK, width: 1}},
+      {...linesBy(points.filter(p => p.line), "t", "u", what, apart), name: "lines along which they are joined",
+       line: {color: ADHESION, width: 2.2}}
+    ],
+    layout: {
+      xaxis: {title: lines.u.values.every(u => Math.abs(u) <= 4) ? "angle of the wheel, rad" : "along the track, mm"},
+      yaxis: {title: `${what}, mm`, autorange: "reversed"},
+      legend: ABOVE
+    }
+  };
+};
+
 /// The strip of an influence file in its section.
 export const stripFigure = (stations, colour) => ({
   height: 360,

@@ -8,7 +8,8 @@ import {
 import {linesOf, number, sentenceText, unitText, valueOf} from "./numbers.js";
 import {COMPARISON, RESULT, WHEELSET} from "./page_contact.js";
 import {
-  CONTACT_WEAR, GOOD_JACOBIAN, INFLUENCE_FILE, MESH, PROFILE, TABLE, USABLE_JACOBIAN, addDownloads, worstJacobian
+  CONTACT_WEAR, GOOD_JACOBIAN, INFLUENCE_FILE, MESH, PROFILE, SECTIONS, TABLE, USABLE_JACOBIAN, addDownloads,
+  worstJacobian
 } from "./page_files.js";
 import {FATIGUE, SHAKEDOWN, STRESSES} from "./page_strength.js";
 import {CONICITY, CONICITY_MAP, CREEP_CURVES, FIT, SWEEP, WEAR} from "./page_uses.js";
@@ -48,6 +49,7 @@ const ANSWERS = {
   shakedown: SHAKEDOWN,
   table: TABLE,
   profile: PROFILE,
+  sections: SECTIONS,
   "influence file": INFLUENCE_FILE,
   mesh: MESH
 };
@@ -61,6 +63,7 @@ const TITLE_OF = {
   wheelset: "Wheelset",
   wear: "Wear",
   profile: "Profile",
+  sections: "Sections",
   study: "Study",
   fatigue: "Fatigue",
   stresses: "Stresses inside a body",
@@ -80,10 +83,13 @@ const folded = (title, id, fill, more = {}) => {
     fold.remove();
 };
 
+/// Whether the page has the words of a command: a profile, or sections.
+const hasOwnWords = () => ["profile", "sections"].includes(report.kind);
+
 /// What was found, or what the file is.
 const addFound = found => {
   const list = add("ul", "", into, {id: `${idPrefix}found`, className: "found"});
-  for (const sentence of found.length ? found : [inWords()].filter(() => report.kind !== "profile"))
+  for (const sentence of found.length ? found : [inWords()].filter(() => !hasOwnWords()))
     add("li", sentenceText(sentence), list);
 };
 
@@ -274,7 +280,7 @@ const inWords = () => {
 
 /// What was asked, with what was taken by default.
 const addQuestion = () => {
-  if (report.kind !== "profile")
+  if (!hasOwnWords())
     add("p", inWords(), into, {id: "words"});
   if (data.taken)
     addTaken();
@@ -298,7 +304,7 @@ const begin = async () => {
   const ownWarnings = () => warningsFound(answer.warnings?.() ?? []).map(one => one.text);
   const warned = report.kind === "study" ? studyWarnings() : ownWarnings();
   addFirst(foundIn(whole), warned, answer.picture());
-  if (report.kind === "profile")
+  if (hasOwnWords())
     add("pre", data.attributes.words, page, {id: "words"});
   if (report.kind === "study")
     answer.rest();

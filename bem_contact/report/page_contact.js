@@ -7,6 +7,7 @@ import {
 import {ABOVE, FORCES, lineOver} from "./curve_figures.js";
 import {add, addFigure, into, isFirst} from "./drawing.js";
 import {inDegrees, number, unitText, valueOf, valueText, words} from "./numbers.js";
+import {correspondence} from "./page_files.js";
 import {placeFigure} from "./place_figure.js";
 import {radiusOf} from "./scene_words.js";
 import {data} from "./shown.js";
@@ -92,6 +93,7 @@ export const RESULT = {
     addSolid(contact);
     addContactFigures(contact);
     addHistory(contact);
+    correspondence().forEach(one => addFigure(...one));
   },
   sure: () => addCertificate(contactsOf(data)[0]),
   tables: () => {

@@ -3,7 +3,7 @@ import {titleOf} from "./answers.js";
 import {RAIL, WHEEL, rows} from "./contact_figures.js";
 import {withUnit} from "./curve_figures.js";
 import {add, addFigure, csvOf, download, page} from "./drawing.js";
-import {jacobiansOf, meshFigure, profilesFigure, stripFigure} from "./file_figures.js";
+import {correspondenceFigure, jacobiansOf, meshFigure, profilesFigure, stripFigure} from "./file_figures.js";
 import {VIEWS, number, unitText, valueOf, valueText, withErrors, words} from "./numbers.js";
 import {data, report} from "./shown.js";
 import {addLarge, addTable, single} from "./tables.js";
@@ -96,6 +96,19 @@ export const PROFILE = {
       "curvature", "Curvature: above 0 convex, below concave.", profilesFigure(data.profiles, "curvature"), "wide")
 };
 
+/// Which points of sections correspond; nothing where there are no sections.
+export const correspondence = () => data.section_lines ? [
+  ["sections-above",
+   "The sections from above (dark), and the lines along which they are joined (orange): lines run along an edge, and " +
+       "none crosses over.",
+   correspondenceFigure(data.section_lines, "y"), "wide"],
+  ["sections-side", "The same from the side.", correspondenceFigure(data.section_lines, "z"), "wide"]
+] : [];
+export const SECTIONS = {
+  picture: () => correspondence()[0],
+  figures: () => correspondence().slice(1).forEach(one => addFigure(...one))
+};
+
 const ofInfluence = name => data.attributes[name] ?? valueOf(data, name);
 export const INFLUENCE_FILE = {
   picture: () =>
@@ -179,7 +192,7 @@ const tablesIn = (group, name = "") => {
 export const addDownloads = () => {
   const row = add("details", "", page, {className: "screen-only", id: "downloads"}), taken = new Set();
   add("summary", "Numbers as CSV", row);
-  for (const [name, lines] of ["profile", "mesh"].includes(report.kind) ? [] : tablesIn(data)) {
+  for (const [name, lines] of ["profile", "sections", "mesh"].includes(report.kind) ? [] : tablesIn(data)) {
     let saved = name;
     for (let k = 2; taken.has(saved); ++k)
       saved = `${name}_${k}`;

@@ -9,6 +9,7 @@ import {add, addFigure, draw, idPrefix, into} from "./drawing.js";
 import {
   VIEWS, entryText, inDegrees, known, linesOf, number, quantityOf, sentenceText, shortName, unitText, valueOf, words
 } from "./numbers.js";
+import {correspondence} from "./page_files.js";
 import {data, report} from "./shown.js";
 import {addColumns, addLarge, addTable, largest} from "./tables.js";
 import {
@@ -100,7 +101,7 @@ export const SWEEP = {
   picture: () => sweepFigures()[0],
   figures: () => {
     showCase = ofWheelsets() ? undefined : addCaseView();
-    for (const figure of sweepFigures().slice(1))
+    for (const figure of [...sweepFigures().slice(1), ...correspondence()])
       addFigure(...figure);
   },
   tables: () => {

@@ -206,6 +206,14 @@ void write_profile_page(const std::string& name, const std::string& words,
              output);
 }
 
+void write_sections_page(const std::string& name, const std::string& words, const record::Table& points,
+                         const std::filesystem::path& output) {
+  write_page({{"kind", record::Text{"sections"}},
+              {"file", record::Text{name}},
+              {"data", Record{{"words", record::Text{words}}, {"section_lines", points}}}},
+             output);
+}
+
 void write_report(const std::filesystem::path& file, const std::filesystem::path& output) {
   require_outputs({file}, {{.option = "--output", .file = output, .required = true}});
   write_page(report_data(file), output);

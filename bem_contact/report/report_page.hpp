@@ -40,4 +40,9 @@ struct DrawnProfile {
 void write_profile_page(const std::string& name, const std::string& words,
                         const std::vector<DrawnProfile>& profiles, const std::filesystem::path& output);
 
+/// Writes a page of the sections of a rail or wheel: `words`, and which of their points correspond (`points`:
+/// SectionLines of the room sequence). Throws InputError if this build has no plotting library.
+void write_sections_page(const std::string& name, const std::string& words, const record::Table& points,
+                         const std::filesystem::path& output);
+
 } // namespace bem_contact::report

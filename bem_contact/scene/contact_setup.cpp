@@ -222,8 +222,10 @@ ContactSetup set_up_contact(const SceneFile& scene, const WheelRailProfiles& pro
                                                             : scene.load.approach.value_or(0));
   load.force /= upright; // as the rail is looked at
   load.approach *= upright;
-  return set_up_touching(scene, std::move(bodies), load,
-                         {.lowered = lowered, .rail_inclination = profiles.rail_inclination});
+  ContactSetup out = set_up_touching(scene, std::move(bodies), load,
+                                     {.lowered = lowered, .rail_inclination = profiles.rail_inclination});
+  out.rail.sections = profiles.rail_bodies.influence;
+  return out;
 }
 
 namespace {
@@ -245,6 +247,7 @@ ContactSetup moved(const SceneFile& scene, const ContactSetup& setup, Structural
   ContactSetup out = set_up_touching(
       scene, std::move(bodies), load,
       {.lowered = before.lowered, .rail_inclination = before.rail_inclination, .structure = by});
+  out.rail = setup.rail;
   // What is prescribed need not be the scene's: free rolling is solved with force_x = 0.
   const double rolling_radius = out.motion.creepage.rolling_radius;
   out.motion = setup.motion;

@@ -15,13 +15,20 @@
 
 namespace bem_contact {
 
+/// Which of the influence functions of neighbouring sections of a rail count: all, by where the contact lies
+/// between them, or those of one of the two alone.
+enum class SectionEnd { blended, before, after };
+
 /// One of the two bodies.
 struct Body {
   Material material;
   std::filesystem::path influence; ///< file of its influence functions; empty: none
   StructuralCompliance structural = StructuralCompliance::removed;
-  std::optional<double> limit_pressure = {}; ///< that its surface bears, MPa; empty: it is elastic
+  std::optional<double> limit_pressure = {};   ///< that its surface bears, MPa; empty: it is elastic
+  std::vector<SectionInfluence> sections = {}; ///< instead of `influence`, of a rail of sections
+  SectionEnd section_end = SectionEnd::blended;
 
+  bool has_influence() const { return !influence.empty() || !sections.empty(); }
   bool operator==(const Body&) const = default;
 };
 

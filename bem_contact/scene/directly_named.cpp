@@ -17,8 +17,10 @@ std::vector<NamedFile> directly_named(const SceneFile& scene) {
   for (const auto& [name, side] : {std::pair{"rail", &scene.rail}, {"wheel", &scene.wheel}}) {
     if (side->sections.empty())
       add(fmt::format("{}.profile", name).c_str(), side->profile);
-    for (std::size_t i = 0; i < side->sections.size(); ++i)
+    for (std::size_t i = 0; i < side->sections.size(); ++i) {
       add(fmt::format("{}.sections[{}].profile", name, i).c_str(), side->sections[i].profile);
+      add(fmt::format("{}.sections[{}].influence", name, i).c_str(), side->sections[i].influence);
+    }
   }
   add("left_rail.profile", scene.wheelset.left_rail.profile);
   add("left_wheel.profile", scene.wheelset.left_wheel.profile);

@@ -356,7 +356,7 @@ void check_keys(const SceneFile& f, const Schema& s) {
     check_wheel_rail(f, s);
     check_unevenness(f, s);
   }
-  if (f.solver.model && words_of(*f.solver.model).needs_files && f.rail.influence.empty() &&
+  if (f.solver.model && words_of(*f.solver.model).needs_files && !f.rail.has_influence() &&
       f.wheel.influence.empty())
     s.refuse("solver.model", "no influence file is given",
              "Give rail.influence and wheel.influence (bem_contact influence list names prepared files, "

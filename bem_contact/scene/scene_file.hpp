@@ -9,6 +9,7 @@
 #include "bem_contact/scene/scene_text.hpp"
 #include "bem_contact/scene/warning.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -55,6 +56,7 @@ struct SceneFile {
     bool kink = false;            ///< the slope along the track may jump here
     /// Of several rails beside each other, the name of the one that it belongs to; "": there is one.
     std::string body = {};
+    std::string influence = {}; ///< influence file of the rail as it is here; "": none
 
     bool operator==(const Section&) const = default;
   };
@@ -83,6 +85,11 @@ struct SceneFile {
     double sections_angle = 0;          ///< wheel: where angle 0 of its sections is at first, rad
     /// Whether it is given by its sections: these, or a slices file.
     bool has_sections() const { return !sections.empty() || names_slices(profile); }
+    /// Whether it has an influence file, or some of its sections have.
+    bool has_influence() const {
+      return !influence.empty() ||
+             std::ranges::any_of(sections, [](const Section& one) { return !one.influence.empty(); });
+    }
     Material material; ///< [rail.material], [wheel.material]
     std::optional<double> limit_pressure =
         {};                 ///< [rail.material]: p_n is no larger, MPa; empty: that of `steel`

@@ -126,6 +126,24 @@ void require_beside_each_other(const SectionedBodies& bodies, std::size_t a, std
   }
 }
 
+/// `bodies`: as they are given.
+std::vector<SectionInfluence> influence_of(const SceneFile& scene,
+                                           const std::vector<SectionsOfBody>& bodies) {
+  std::vector<SectionInfluence> out;
+  for (const SceneFile::Section& section : scene.rail.sections) {
+    if (section.influence.empty())
+      continue;
+    const auto body = std::ranges::find(bodies, section.body, &SectionsOfBody::name);
+    const auto& sections = body->body.sections;
+    const ProfileCurve& profile = std::ranges::find(sections, section.at, &BodySection::at)->profile;
+    const bool all_along = bodies.size() > 1 && sections.size() == 1;
+    out.push_back({static_cast<int>(body - bodies.begin()), all_along, all_along ? -endless : section.at,
+                   scene.folder / section.influence, profile.name(), profile.digest()});
+  }
+  std::ranges::stable_sort(out, {}, &SectionInfluence::body);
+  return out;
+}
+
 } // namespace
 
 std::vector<SectionsOfBody> sections_of_bodies(const SceneFile& scene, ProfileKind kind) {
@@ -146,6 +164,8 @@ std::vector<SectionsOfBody> sections_of_bodies(const SceneFile& scene, ProfileKi
 SectionedBodies sectioned_bodies(const SceneFile& scene, ProfileKind kind) {
   SectionedBodies out;
   std::vector<SectionsOfBody> bodies = sections_of_bodies(scene, kind);
+  if (kind == ProfileKind::rail)
+    out.influence = influence_of(scene, bodies);
   for (SectionsOfBody& one : bodies) {
     if (bodies.size() > 1 && one.body.sections.size() == 1)
       make_endless(one.body.sections);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <set>
+#include <utility>
 
 namespace bem_contact {
 
@@ -173,6 +175,39 @@ void check_bodies(const SceneFile& f, const Schema& s) {
              "Give load.force and position.lateral.");
 }
 
+/// Influence files of sections of a rail: of each body two or more, or that of its one section.
+void check_influence(const SceneFile& f, const Schema& s) {
+  if (!f.rail.influence.empty())
+    s.refuse("rail.influence", "it is that of a rail that is the same all along the track",
+             "Give it with the section that it belongs to: { at = ..., profile = ..., influence = ... }.");
+  if (!f.rail.has_influence())
+    return;
+  if (f.rail.structural == StructuralCompliance::included)
+    s.refuse("rail.structural",
+             "how a rail of sections bends as a whole no influence file of a section knows",
+             "Leave it out: structural = \"removed\".");
+  if (f.wheel.influence.empty())
+    s.refuse("rail.sections", "sections have influence files, and the wheel has none",
+             "Give wheel.influence too, or leave them out.");
+  std::map<std::string, std::pair<int, int>> of_bodies; // sections, and those with a file
+  for (std::size_t i = 0; i < f.rail.sections.size(); ++i) {
+    const SceneFile::Section& section = f.rail.sections[i];
+    auto& [all, with] = of_bodies[section.body];
+    ++all;
+    with += section.influence.empty() ? 0 : 1;
+    if (names_slices(section.profile))
+      s.refuse("rail.sections",
+               fmt::format("section {} is a slices file, and there are influence files", i + 1),
+               "Give each section with its own profile.");
+  }
+  for (const auto& [name, count] : of_bodies)
+    if (const auto [all, with] = count; with < std::min(all, 2))
+      s.refuse("rail.sections",
+               fmt::format("{} of the {} sections of {} have influence files", with, all,
+                           name.empty() ? "the rail" : fmt::format("body '{}'", name)),
+               "Give two sections or more of each body their files: the functions are blended between them.");
+}
+
 void check_sections(const SceneFile& f, const Schema& s) {
   check_list_of_sections(f.rail, "rail", s);
   check_list_of_sections(f.wheel, "wheel", s);
@@ -225,6 +260,10 @@ void add_sections(Schema& s, SceneFile::Side& side, const std::string& name) {
       row.add(list + ".body", section.body,
               "Of several rails beside each other, as wing and nose or stock rail and blade, the name of the "
               "one that has this section; empty: there is one");
+    if (rail)
+      row.add(list + ".influence", section.influence,
+              "Influence file (HDF5) of a rail that is all along as it is here: between two sections with "
+              "files the influence functions are blended");
     return row;
   };
   s.add(list,
@@ -289,11 +328,17 @@ void check_unevenness(const SceneFile& f, const Schema& s) {
     if (holds)
       s.refuse(uneven, why, what_to_do);
   };
-  refuse(f.solver.model == Model::fem || !f.rail.influence.empty() || !f.wheel.influence.empty(),
-         "the influence functions of model \"fem\" are those of a round wheel and of a rail that is the same "
-         "along "
-         "the track",
-         "Choose solver.model = \"halfspace\" or \"tangent_plane\", and leave out the influence files.");
+  if (of_rail && !of_wheel && !f.wheel.flat.given() && !f.wheel.polygon.given()) {
+    check_influence(f, s);
+    refuse(!f.rail.has_influence() && (f.solver.model == Model::fem || !f.wheel.influence.empty()),
+           "no section has an influence file",
+           "Give two sections or more an influence file, { at = ..., profile = ..., influence = ... }, or "
+           "choose solver.model = \"halfspace\" or \"tangent_plane\" and leave out wheel.influence.");
+  } else
+    refuse(f.solver.model == Model::fem || f.rail.has_influence() || !f.wheel.influence.empty(),
+           "the influence functions of model \"fem\" are those of a round wheel, and of a rail that has no "
+           "joint",
+           "Choose solver.model = \"halfspace\" or \"tangent_plane\", and leave out the influence files.");
   refuse(f.rail.roller_radius.has_value(), "on a roller rig wheel and roller are taken as round",
          "Leave out rail.roller_radius.");
   refuse(f.motion.kind == MotionKind::transient && !f.motion.frictionless,

@@ -99,7 +99,7 @@ std::vector<Cause> causes_of_motion(const SceneFile& f) {
 
 std::vector<Cause> causes_of_bodies(const SceneFile& f) {
   const SceneFile::Motion& m = f.motion;
-  const bool one_file = f.rail.influence.empty() != f.wheel.influence.empty();
+  const bool one_file = f.rail.has_influence() == f.wheel.influence.empty();
   return {
       {{"rail.structural"},
        f.rail.structural == StructuralCompliance::included && f.rail.influence.empty(),

@@ -11,6 +11,7 @@
 #include "bem_contact/sequence/models.hpp"
 #include "bem_contact/sequence/numbers/settings.hpp"
 #include "bem_contact/sequence/plan/model_choice.hpp"
+#include "bem_contact/sequence/section_lines.hpp"
 #include "bem_contact/sequence/solution/grow_grid.hpp"
 #include "bem_contact/sequence/solution/solve_case.hpp"
 #include "bem_contact/sequence/solution/trim_plan.hpp"
@@ -20,6 +21,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <iterator>
+#include <limits>
 #include <optional>
 
 namespace bem_contact {
@@ -63,14 +65,15 @@ void add_strip(const char* body, const Range& strip, std::vector<std::string>& l
                               body, strip.from, strip.to, double(usual_station_width)));
 }
 
-/// From the contact to the nearer end of a strip, mm. `row_s`: the rows of the solution on that body.
-double room_on(const InfluenceStrip& f, const std::vector<double>& row_s, const GridSolution& solved) {
+/// From the contact to the nearer end of a strip, mm.
+double room_on(const RowsOnStrip& on, const GridSolution& solved) {
   const ContactGrid& grid = solved.contact.problem.grid;
-  const auto [from, to] = f.ends();
+  const auto [from, to] = on.file->strip().ends();
   double room = to - from;
   for (int i = 0; i < grid.size(); ++i)
-    if (solved.result.state[i] != ElementState::exterior) {
-      const double s = row_s[i / grid.mx];
+    if (const int row = i / grid.mx - on.first;
+        row >= 0 && row < static_cast<int>(on.s.size()) && solved.result.state[i] != ElementState::exterior) {
+      const double s = on.s[row];
       room = std::min({room, s - 0.5 * grid.ds - from, to - s - 0.5 * grid.ds});
     }
   return std::max(room, 0.0); // less is rounding: rows lie on the strip
@@ -92,8 +95,14 @@ FitOnStrips fit_on_strips(const ContactCase& asked) {
   try {
     const GridSolution solved =
         grown_contact(asked, asked.setup.on(first_plan(asked, asked.scene.grid, true)), model_of_files());
-    return {.rail_room = room_on(asked.files.rail->strip(), solved.contact.rail_s, solved),
-            .wheel_room = room_on(asked.files.wheel->strip(), solved.contact.wheel_s, solved)};
+    FitOnStrips out;
+    const ContactOnGrid& contact = solved.contact;
+    for (const RowsOnStrip& on :
+         rows_on_files(asked.setup, asked.files, {contact.problem.rows, contact.rail_s, contact.wheel_s})) {
+      std::optional<double>& room = on.file == asked.files.wheel ? out.wheel_room : out.rail_room;
+      room = std::min(room.value_or(std::numeric_limits<double>::infinity()), room_on(on, solved));
+    }
+    return out;
   } catch (const OffStripError& error) {
     return {.refusal = error.what(), .covered = false};
   } catch (const Error& error) {
@@ -265,21 +274,34 @@ std::string covered_text(double off, const std::string& refusal, std::optional<d
              : covered;
 }
 
-/// One body's influence file, and whether its strip covers the rows at the stations s. `room`: from the
-/// contact to the end of the strip; nothing where it is not known.
-std::string influence_text(const char* body, const std::shared_ptr<InfluenceFile>& file,
-                           const std::vector<double>& s, const ContactProblem& problem,
-                           const std::string& refusal, std::optional<double> room) {
-  if (!file)
-    return fmt::format("{}: no influence file", body);
-  const Range rows = range_of(s, problem.grid.ds);
-  const auto [from, to] = file->strip().ends();
-  const double off = std::max(from - rows.from, rows.to - to);
-  const bool leave = off > (0.5 - row_on_strip) * problem.grid.ds;
-  return fmt::format(
-      "{}: influence file of '{}', strip s = {:.2f} .. {:.2f} mm; rows need {:.2f} .. {:.2f} mm: {}", body,
-      file->strip().body, from, to, rows.from, rows.to,
-      covered_text(leave ? off : 0, refusal, room, problem.has_friction()));
+/// One body's influence files, and whether their strips cover the rows. `room`: from the contact to the end
+/// of the strip; nothing where it is not known.
+std::string influence_text(const char* body, const std::vector<RowsOnStrip>& strips,
+                           const ContactProblem& problem, const std::string& refusal,
+                           std::optional<double> room) {
+  if (strips.empty())
+    return fmt::format("{}: {}", body, refusal.empty() ? "no influence file" : refusal);
+  std::vector<std::string> texts;
+  for (const RowsOnStrip& on : strips) {
+    const Range rows = range_of(on.s, problem.grid.ds);
+    const auto [from, to] = on.file->strip().ends();
+    const double off = std::max(from - rows.from, rows.to - to);
+    const bool leave = off > (0.5 - row_on_strip) * problem.grid.ds;
+    texts.push_back(fmt::format(
+        "{}: influence file of '{}'{}, strip s = {:.2f} .. {:.2f} mm; rows need {:.2f} .. {:.2f} mm: {}",
+        body, on.file->strip().body, on.section.empty() ? "" : fmt::format(", {}", on.section), from, to,
+        rows.from, rows.to, covered_text(leave ? off : 0, refusal, room, problem.has_friction())));
+  }
+  return fmt::format("{}", fmt::join(texts, "\n"));
+}
+
+/// Where the rows lie on the strips of all files; nothing where a rail of sections has none there.
+std::vector<RowsOnStrip> strips_under(const ContactCase& asked, const ContactOnGrid& contact) {
+  try {
+    return rows_on_files(asked.setup, asked.files, {contact.problem.rows, contact.rail_s, contact.wheel_s});
+  } catch (const OffStripError&) { // FitOnStrips::refusal says so
+    return {};
+  }
 }
 
 } // namespace
@@ -293,6 +315,8 @@ SceneDescription describe_case(const ContactCase& asked) {
   lines.push_back(fmt::format("kind: {}", name_of(scene.kind)));
   if (scene.kind == SceneKind::wheel_rail)
     lines.push_back(track_text(scene));
+  if (const auto joined = section_lines(scene, "the scene"))
+    lines.push_back(joined->words.substr(0, joined->words.size() - 1)); // without its last end of line
   if (asked.estimate)
     add_touch_points(asked.setup, *asked.estimate, lines);
   if (asked.setup.wheel_rail())
@@ -312,10 +336,13 @@ SceneDescription describe_case(const ContactCase& asked) {
   lines.push_back(friction_text(asked.setup.motion, problem));
   if (const auto layer = layer_text(asked.setup.layer))
     lines.push_back(*layer);
-  lines.push_back(
-      influence_text("rail", asked.files.rail, contact.rail_s, problem, fit.refusal, fit.rail_room));
-  lines.push_back(
-      influence_text("wheel", asked.files.wheel, contact.wheel_s, problem, fit.refusal, fit.wheel_room));
+  std::vector<RowsOnStrip> of_rail = strips_under(asked, contact), of_wheel;
+  if (!of_rail.empty() && of_rail.back().file == asked.files.wheel) {
+    of_wheel.push_back(std::move(of_rail.back()));
+    of_rail.pop_back();
+  }
+  lines.push_back(influence_text("rail", of_rail, problem, fit.refusal, fit.rail_room));
+  lines.push_back(influence_text("wheel", of_wheel, problem, fit.refusal, fit.wheel_room));
   std::ranges::move(describe_strips(asked, contact), std::back_inserter(lines));
   lines.push_back(model_text(asked_for, choice));
   return {std::move(lines), input_warnings(scene, asked.setup)};

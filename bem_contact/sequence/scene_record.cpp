@@ -1,9 +1,11 @@
 #include "bem_contact/sequence/scene_record.hpp"
 
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/base/sha256.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "bem_contact/sequence/section_lines.hpp"
 
 #include <algorithm>
 
@@ -107,6 +109,11 @@ record::Record headed(const char* format, const GivenScene& given, const std::fi
                                       "every key of the scene that was solved, with its value (TOML)"});
   out.add("materials", std::move(materials));
   out.add("inputs", std::move(inputs));
+  try {
+    if (auto lines = section_lines(given.scene, "the scene"))
+      out.add("section_lines", std::move(lines->points));
+  } catch (const InputError&) { // the cases say what is wrong with the sections
+  }
   return out;
 }
 

@@ -45,7 +45,8 @@ std::vector<std::filesystem::path> files_read(const std::filesystem::path& file,
 record::Record headed(const char* format);
 /// The beginning of a file: that, the texts "scene_text" and "scene_with_defaults", scene, scene_folder
 /// (relative to the folder of `output`), model_option, "materials", and of each input "inputs/KEY" name,
-/// sha256 ("" of a standard profile) and content.
+/// sha256 ("" of a standard profile) and content; of a scene with sections "section_lines"
+/// (SectionLines::points).
 record::Record headed(const char* format, const GivenScene& given, const std::filesystem::path& output);
 
 /// The inputs of a result file.

@@ -130,6 +130,12 @@ TEST_F(ProfileCommand, SaysAlongWhichLinesSectionsAreJoined) {
     EXPECT_THAT(lines.str(), HasSubstr("body,t,line,section,u,y,z\n1,0,1,1,0,")) << file;
     EXPECT_EQ(run("profile '" + file + "' --json").code, 2) << file;
   }
+  const std::string page = (folder_ / "lines.html").string();
+  ASSERT_EQ(run("profile '" + by_list + "' --plot '" + page + "'").code, 0);
+  std::ostringstream drawn;
+  drawn << std::ifstream(page).rdbuf();
+  EXPECT_THAT(drawn.str(), HasSubstr("\"section_lines\""));
+  EXPECT_THAT(run("check '" + by_list + "'").out, HasSubstr("line at t ="));
   const Outcome other =
       run("profile '" + write("c.toml", "# no sections\nrail.profile = '60E1'\n" + load).string() + "'");
   EXPECT_EQ(other.code, 2);

@@ -98,7 +98,7 @@ class Report(unittest.TestCase):
         (cls.folder / "wear.toml").write_text(WEAR)
         (cls.folder / "wheelset.toml").write_text((SCENES / "wheelset.toml").read_text().replace("[wheelset]", "[wheelset]\nleft_wheel_radius = 459.5"))
         patch = cls.folder / "patch.toml"
-        cls.files = {kind: cls.folder / f"{kind}.h5" for kind in ("result", "stresses", "cylinder", "comparison", "curves", "sweep", "cases",
+        cls.files = {kind: cls.folder / f"{kind}.h5" for kind in ("result", "stresses", "cylinder", "comparison", "curves", "sweep", "cases", "along",
                                                                    "conicity", "wheelset")}
         cls.files["wear"] = cls.folder / "worn" / "wear.h5"
         cls.files |= {kind: cls.folder / f"{kind}.h5" for kind in ("fatigue", "inside", "shakedown", "collective", "rates", "table", "map", "axle_rates", "fit")}
@@ -116,6 +116,7 @@ class Report(unittest.TestCase):
                         ("fit", patch, "--measured", cls.folder / "points.csv", "--parameters", "motion.friction", "-o", cls.files["fit"]),
                         ("sweep", SCENES / "cases_two_areas.toml", "-o", cls.files["sweep"]),
                         ("sweep", cls.folder / "wear.toml", "-o", cls.files["cases"]),
+                        ("sweep", SCENES / "rail_sections.toml", "-o", cls.files["along"]),
                         ("conicity", SCENES / "wheelset.toml", "-o", cls.files["conicity"]),
                         ("wheelset", cls.folder / "wheelset.toml", "-o", cls.files["wheelset"]),
                         ("fatigue", cls.folder / "wear.toml", "-o", cls.files["fatigue"]),
@@ -144,6 +145,9 @@ class Report(unittest.TestCase):
         cls.profile = program("profile", ROOT / "data" / "bodies" / "hollow_wheel.txt", "--kind", "wheel", "--smoothing", 8, "--plot",
                               cls.pages["profile"])
         assert cls.profile.returncode == 0, cls.profile.stderr
+        cls.pages["sections"] = cls.folder / "sections.html"
+        done = program("profile", SCENES / "rail_sections.toml", "--plot", cls.pages["sections"])
+        assert done.returncode == 0, done.stderr
 
     @classmethod
     def tearDownClass(cls):
@@ -191,6 +195,17 @@ class Report(unittest.TestCase):
         refused = program("profile", "S1002", "--plot", self.folder / "none" / "page.html")
         self.assertEqual(refused.returncode, 2)
         self.assertIn("none", refused.stderr)
+
+    def test_pages_of_sections_have_the_points_that_correspond(self):
+        """The page of the sections and that of a sweep over them have the same lines, which are those of the CSV table."""
+        table = self.folder / "lines.csv"
+        self.assertEqual(program("profile", SCENES / "rail_sections.toml", "--csv", table).returncode, 0)
+        columns = np.loadtxt(table, delimiter=",", skiprows=1, unpack=True)
+        for kind in ("sections", "along"):
+            lines = self.report_of(kind)["data"]["section_lines"]
+            for name, column in zip(("body", "t", "line", "section", "u", "y", "z"), columns):
+                np.testing.assert_allclose(lines[name]["values"], column, rtol=1e-5, atol=1e-6)
+        self.assertNotIn("section_lines", self.report_of("cases")["data"])
 
     def test_python_writes_the_same_page(self):
         import bem_contact
@@ -375,7 +390,8 @@ class Report(unittest.TestCase):
                   "conicity": ["conicities", "tan-gamma", "radius-difference", "touch-wheel", "touch-rail"],
                   "wheelset": ["place", "track", *(f"{c}-{side}" for c in (*contact, "solid", "quantities") for side in ("left", "right"))],
                   "wear": ["film-rail", "film-wheel", "worn-rail", "worn-wheel", "wear-depth", "wear-area", "steps"],
-                  "profile": ["outline", "curvature"],
+                  "profile": ["outline", "curvature"], "sections": ["sections-above", "sections-side"],
+                  "along": ["sections-above", "sections-side", "passage-above", "cases"],
                   "fatigue": ["shakedown", "stress-depth", "fatigue-patches"],
                   "inside": ["von_mises-1", "depth-1", "stresses-patches"], "collective": ["envelope", "shakedown-patches"],
                   "shakedown": ["limits-1", "dang_van-1", "residual_xx-1", "shakedown-patches"],

@@ -35,7 +35,7 @@ constexpr const char* profile_help =
     R"(The file is read as a scene would read it; warnings say what was repaired. It is a measured profile (MiniProf, Simpack,
 Vampire, or two columns y and z), the name of a standard (60E1, UIC60, "S1002 h28 e30.5 6.7%"; --list prints all) or a
 body file (.toml). Of a slices file (.slcs, .slcw) or a scene with sections it says along which lines these are joined; --csv has
-the lines, and bem_contact plot draws them from above. The options do what keys
+the lines, and --plot or bem_contact plot draws them from above and from the side. The options do what keys
 of the same name do in [rail] and [wheel] of a scene (data/scenes/README.md). Example, with a worn wheel of this
 project:
     bem_contact profile data/bodies/hollow_wheel.txt --kind wheel
@@ -141,12 +141,15 @@ std::string fit_text(const ProfileArguments& arguments, const MeasuredProfile& p
 }
 
 ExitCode run_of_sections(const ProfileArguments& arguments, const SectionLines& lines) {
-  if (arguments.json || !arguments.plot.empty() || !arguments.against.empty())
+  if (arguments.json || !arguments.against.empty())
     throw InputError(fmt::format("'{}' holds many profiles", arguments.name),
-                     "--json, --plot and --against are of one",
-                     "Name one of them; --csv has the lines through all, and bem_contact plot draws them.");
+                     "--json and --against are of one",
+                     "Name one of them; --csv has the lines through all, and --plot draws them.");
   if (!arguments.csv.empty())
-    write_whole(arguments.csv, [&](std::ostream& out) { out << lines.csv; });
+    write_whole(arguments.csv, [&](std::ostream& out) { out << csv_of(lines); });
+  if (!arguments.plot.empty())
+    report::write_sections_page(std::filesystem::path(arguments.name).filename().string(), lines.words,
+                                lines.points, arguments.plot);
   print_out("{}", lines.words);
   return success;
 }
@@ -174,7 +177,7 @@ ExitCode run(ProfileArguments arguments) {
                         {{"--csv", arguments.csv}, {"--plot", arguments.plot}});
   if (!arguments.on.empty())
     return run_on(arguments);
-  if (const auto lines = section_lines(arguments.name, arguments.reading))
+  if (const auto lines = lines_of_file(arguments.name, arguments.reading))
     return run_of_sections(arguments, *lines);
   const ProfileKind kind = kind_of_profile(arguments.name, arguments.kind);
   const MeasuredProfile profile = described_profile(arguments.name, kind, arguments.reading);
@@ -240,7 +243,8 @@ Command add_profile(CLI::App& program) {
   add_output_option(*line, "--csv", arguments->csv,
                     "Write arc length, y, z, inclination and curvature to this file");
   add_output_option(*line, "--plot", arguments->plot,
-                    "Write a page (HTML) that draws outline and curvature, with the standard beside them");
+                    "Write a page (HTML) that draws outline and curvature, with the standard beside them; of "
+                    "sections the lines along which they are joined");
   line->add_option("--step", arguments->step, "Longest step of table and page, mm")
       ->check(CLI::Range(1e-3, 100.0));
   add_json(*line, arguments->json);

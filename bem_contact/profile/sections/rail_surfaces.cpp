@@ -39,6 +39,10 @@ double RailSurfaces::to() const {
   return std::ranges::max(bodies_, {}, [](const Body& b) { return b.surface->to(); }).surface->to();
 }
 
+const SectionedSurface& RailSurfaces::surface(int body) const {
+  return *bodies_[std::ranges::find(order_, body) - order_.begin()].surface;
+}
+
 int RailSurfaces::place_of(double t) const {
   int place = 0;
   while (place + 1 < count() && t > begin_[place + 1] - 0.5 * gap_of_t)

@@ -34,6 +34,8 @@ public:
   const std::vector<double>& nodes() const { return nodes_; }
 
   int count() const { return static_cast<int>(bodies_.size()); }
+  /// The surface of one of them, as they were given.
+  const SectionedSurface& surface(int body) const;
   /// Which of the bodies, as they were given, t belongs to, or is nearest to.
   int body_of(double t) const { return order_[place_of(t)]; }
   /// And t on that body's own surface.

@@ -11,6 +11,7 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace bem_contact {
 
@@ -228,7 +229,8 @@ SectionedSurface::SectionedSurface(std::vector<BodySection> sections, const Sect
   split_at_kinks(sections, points.marks, there_);
   for (const BodySection& section : sections)
     at_.push_back(section.at);
-  tabulate(sections, points.marks, are.approximated);
+  marks_ = std::move(points.marks);
+  tabulate(sections, marks_, are.approximated);
 }
 
 void SectionedSurface::tabulate(const std::vector<BodySection>& sections,
@@ -308,6 +310,17 @@ std::pair<double, double> SectionedSurface::extent(double u) const {
 bool SectionedSurface::has(double u, double t) const {
   const auto [from, to] = extent(u);
   return t >= from - end_of_section && t <= to + end_of_section;
+}
+
+std::optional<double> SectionedSurface::arc_length(double place, double t) const {
+  const auto section = std::ranges::find(at_, place);
+  if (section == at_.end())
+    return std::nullopt;
+  const ArcLength arcs(lines_, marks_[section - at_.begin()]);
+  const auto after = std::ranges::upper_bound(lines_, t);
+  const int stretch =
+      std::clamp(static_cast<int>(after - lines_.begin()) - 1, 0, static_cast<int>(lines_.size()) - 2);
+  return arcs.has(stretch) ? std::optional(arcs.at(stretch, t).s) : std::nullopt;
 }
 
 ProfileCurve SectionedSurface::section(double u, std::vector<double>& t) const {

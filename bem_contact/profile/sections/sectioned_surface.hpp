@@ -2,6 +2,7 @@
 
 #include "bem_contact/profile/profile_curve.hpp"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,6 +69,9 @@ public:
   const std::vector<double>& lines() const { return lines_; }
   /// The places of the sections, rising; that of a kink twice.
   const std::vector<double>& places() const { return at_; }
+  /// The arc length on the profile of the section at `place` (one of places()) of the point of this t, mm;
+  /// nothing where that section does not have it.
+  std::optional<double> arc_length(double place, double t) const;
   /// The curve at u = const, and the t of its joints.
   ProfileCurve section(double u, std::vector<double>& t) const;
 
@@ -84,8 +88,9 @@ private:
   Point in_cell(double u, double t, int cell) const;
 
   std::vector<double> at_, t_, lines_;
-  std::vector<int> first_node_;          ///< of each stretch between two lines, and the end
-  std::vector<std::vector<char>> there_; ///< [interval][stretch]
+  std::vector<std::vector<double>> marks_; ///< [section][line] arc lengths (CorrespondingPoints)
+  std::vector<int> first_node_;            ///< of each stretch between two lines, and the end
+  std::vector<std::vector<char>> there_;   ///< [interval][stretch]
   /// [stretch][section][node of the stretch]: both ends of a stretch are in it.
   std::vector<std::vector<std::vector<Node>>> nodes_;
 };

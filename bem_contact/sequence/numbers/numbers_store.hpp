@@ -5,6 +5,7 @@
 #include "bem_contact/influence/influence_numbers.hpp"
 #include "bem_contact/influence/series_points.hpp"
 #include "bem_contact/scene/contact_setup.hpp"
+#include "bem_contact/sequence/numbers/section_blend.hpp"
 
 #include <deque>
 #include <functional>
@@ -22,6 +23,7 @@ struct NumbersSource {
   double dx = 0, ds = 0;               ///< mm; dx 0: plane strain
   double reference_distance = 0;       ///< of plane strain, mm
   std::vector<double> rail_s, wheel_s; ///< stations of the rows where influence functions are taken, mm
+  SectionBlend blend = {};             ///< of a rail of sections
   double contact_radius = 0;           ///< of the wheel, mm
   double roller_contact_radius = 0;    ///< of the rail, mm; 0: straight
   /// This is the inclination of the rows against the wheel's axle, rad, where the wheel's radial displacement

@@ -8,11 +8,14 @@
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/sequence/numbers/add_wheel.hpp"
+#include "bem_contact/sequence/numbers/section_blend.hpp"
 #include "bem_contact/sequence/numbers/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
+#include <map>
 #include <utility>
 
 namespace bem_contact {
@@ -24,6 +27,33 @@ constexpr double rail_turn_tolerance = 0.02;
 /// rad. The same for the wheel's, whose surface need not follow the rail's.
 constexpr double wheel_turn_tolerance = 0.2;
 
+/// An error about a section's file names the section.
+template <class Read> auto of_section(const SectionInfluence& section, const Read& read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("Influence file of {}: {}", section_in_words(section), error.what()));
+  }
+}
+
+std::vector<std::shared_ptr<InfluenceFile>> read_sections(const Body& rail) {
+  std::map<std::filesystem::path, std::shared_ptr<InfluenceFile>> known;
+  std::vector<std::shared_ptr<InfluenceFile>> out;
+  for (const SectionInfluence& section : rail.sections)
+    out.push_back(of_section(section, [&] {
+      std::shared_ptr<InfluenceFile>& file = known[section.file];
+      if (!file)
+        file = std::make_shared<InfluenceFile>(section.file);
+      require_material(file->strip(), rail.material);
+      require_profile(file->strip(), section.profile, section.digest);
+      if (file->strip().invariance != Invariance::prismatic)
+        throw InputError("it is that of a body of revolution", "a rail is the same along the track",
+                         "Compute the functions of the rail, without body.roller_radius.");
+      return file;
+    }));
+  return out;
+}
+
 std::shared_ptr<InfluenceFile> read_side(const Body& body) {
   if (body.influence.empty())
     return nullptr;
@@ -32,10 +62,8 @@ std::shared_ptr<InfluenceFile> read_side(const Body& body) {
   return file;
 }
 
-bool inside(const std::shared_ptr<InfluenceFile>& file, double s, double ds) {
-  if (!file)
-    return true;
-  const auto [from, to] = file->strip().ends();
+bool inside(const InfluenceFile& file, double s, double ds) {
+  const auto [from, to] = file.strip().ends();
   return s - row_on_strip * ds >= from && s + row_on_strip * ds <= to;
 }
 
@@ -94,6 +122,48 @@ InfluenceNumbers rail_numbers(const std::shared_ptr<InfluenceFile>& file, const 
   return known->rail.get({file, body.structural, grid.dx, grid.ds}, contact.rail_s, grid.mx + 2, compute);
 }
 
+/// The numbers of a part of the rows, into the table of all of them; rows of other parts feel nothing of it.
+void add_block(const InfluenceNumbers& part, double weight, int first, InfluenceNumbers& all) {
+  for (int m = 0; m < all.offsets; ++m)
+    for (int row_i = 0; row_i < part.rows; ++row_i)
+      for (int row_j = 0; row_j < part.rows; ++row_j)
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            all.at(m, first + row_i, i, first + row_j, j) += weight * part.at(m, row_i, i, row_j, j);
+}
+
+std::vector<double> shifted(const std::vector<double>& s, const SectionBlend::Stretch& stretch, double by) {
+  std::vector<double> out(s.begin() + stretch.first, s.begin() + stretch.first + stretch.rows);
+  for (double& one : out)
+    one += by;
+  return out;
+}
+
+/// The numbers of a rail of sections (section_blend()).
+InfluenceNumbers sectioned_rail_numbers(const PairFiles& files, const ContactSetup& setup,
+                                        const ContactOnGrid& contact, NumbersParts* known, int threads) {
+  const ContactGrid& grid = contact.problem.grid;
+  InfluenceNumbers out{grid.mx + 2, grid.ms, grid.dx, grid.ds, {}};
+  out.values.resize(out.expected_values());
+  std::ranges::fill(out.values, 0.0);
+  halfspace::LineStore* lines = known ? &known->lines : nullptr;
+  for (const SectionBlend::Stretch& stretch : section_blend(setup, contact.problem.rows).stretches) {
+    if (stretch.parts.empty()) // never loaded: the numbers are positive, and that is all
+      add_block(halfspace::influence_numbers(setup.rail.material, grid.dx, grid.ds, out.offsets, stretch.rows,
+                                             lines),
+                1, stretch.first, out); // translational: at() has all pairs
+    for (const SectionBlend::Part& part : stretch.parts) {
+      const std::vector<double> s = shifted(contact.rail_s, stretch, part.shift);
+      InfluenceFile& file = *files.sections[part.file];
+      add_block(halfspace::resample(function_at(file, s),
+                                    options_of(file.strip(), setup.rail, contact, 0, known, threads), s,
+                                    grid.ds, lines),
+                part.weight, stretch.first, out);
+    }
+  }
+  return out;
+}
+
 /// A patch is given without profiles: what can be compared is how far the normal turns along the strip.
 /// Throws InputError where the file's surface turns otherwise than the rows do, by more than `tolerance`.
 void require_turn(const InfluenceStrip& f, const ContactOnGrid& contact, const std::vector<double>& row_s,
@@ -130,10 +200,18 @@ InfluenceNumbers reversed(const InfluenceNumbers& numbers) {
 } // namespace
 
 PairFiles read_pair_files(const Body& rail, const Body& wheel) {
-  PairFiles files{read_side(rail), read_side(wheel)};
+  PairFiles files{read_side(rail), read_side(wheel), read_sections(rail)};
   if (files.complete())
-    require_order(files.rail->strip(), files.wheel->strip());
+    require_order((files.rail ? files.rail : files.sections.front())->strip(), files.wheel->strip());
   return files;
+}
+
+std::vector<std::shared_ptr<InfluenceFile>> PairFiles::all() const {
+  std::vector<std::shared_ptr<InfluenceFile>> out = sections;
+  for (const auto& file : {rail, wheel})
+    if (file)
+      out.push_back(file);
+  return out;
 }
 
 InfluenceNumbers halfspace_pair(const ContactSetup& setup, const ContactOnGrid& contact,
@@ -176,17 +254,19 @@ InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, con
                           NumbersParts* known, int threads) {
   if (!files.complete())
     throw InputError("The finite-element model needs influence functions of both bodies",
-                     !files.rail && !files.wheel ? "the scene names none"
-                     : files.rail                ? "the scene names none for the wheel"
-                                                 : "the scene names none for the rail",
+                     !files.of_rail() && !files.wheel ? "the scene names none"
+                     : files.of_rail()                ? "the scene names none for the wheel"
+                                                      : "the scene names none for the rail",
                      "Give rail.influence and wheel.influence, or name other models, such as halfspace and "
                      "tangent_plane.");
-  require_strips(files, contact.problem.grid.ds, contact.rail_s, contact.wheel_s);
+  require_strips(rows_on_files(setup, files, {contact.problem.rows, contact.rail_s, contact.wheel_s}),
+                 contact.problem.grid.ds);
   if (setup.patch()) {
     require_turn(files.rail->strip(), contact, contact.rail_s, rail_turn_tolerance);
     require_turn(files.wheel->strip(), contact, contact.wheel_s, wheel_turn_tolerance);
   }
-  InfluenceNumbers pair = rail_numbers(files.rail, setup, contact, known, threads);
+  InfluenceNumbers pair = files.rail ? rail_numbers(files.rail, setup, contact, known, threads)
+                                     : sectioned_rail_numbers(files, setup, contact, known, threads);
   const std::vector<double> inclination = radial_inclination(setup, contact.problem.rows);
   halfspace::resample_lines(
       function_at(*files.wheel, contact.wheel_s),
@@ -202,30 +282,43 @@ std::vector<double> radial_inclination(const ContactSetup& setup, const std::vec
                                                : std::vector<double>{};
 }
 
-void require_strips(const PairFiles& files, double ds, const std::vector<double>& rail_s,
-                    const std::vector<double>& wheel_s) {
-  const double half = row_on_strip * ds;
-  const auto side = [&](const std::shared_ptr<InfluenceFile>& file, const std::vector<double>& s) {
-    if (!file || s.empty())
-      return;
-    const auto [lo, hi] = std::ranges::minmax(s);
-    require_strip(file->strip(), lo - half, hi + half);
-  };
-  side(files.rail, rail_s);
-  side(files.wheel, wheel_s);
+std::vector<RowsOnStrip> rows_on_files(const ContactSetup& setup, const PairFiles& files,
+                                       const RowsOnBodies& rows) {
+  std::vector<RowsOnStrip> out;
+  if (files.rail && !rows.rail_s.empty())
+    out.push_back({files.rail, 0, rows.rail_s});
+  if (!files.sections.empty() && !rows.rows.empty())
+    for (const SectionBlend::Stretch& stretch : section_blend(setup, rows.rows).stretches)
+      for (const SectionBlend::Part& part : stretch.parts)
+        out.push_back({files.sections[part.file], stretch.first, shifted(rows.rail_s, stretch, part.shift),
+                       section_in_words(setup.rail.sections[part.file])});
+  if (files.wheel && !rows.wheel_s.empty())
+    out.push_back({files.wheel, 0, rows.wheel_s});
+  return out;
 }
 
-std::pair<int, int> covered_rows(const PairFiles& files, double ds, const std::vector<double>& rail_s,
-                                 const std::vector<double>& wheel_s) {
-  int first = 0, last = static_cast<int>(rail_s.size()) - 1;
-  const auto good = [&](int i) {
-    return inside(files.rail, rail_s[i], ds) && inside(files.wheel, wheel_s[i], ds);
-  };
-  while (first <= last && !good(first))
-    ++first;
-  while (last >= first && !good(last))
-    --last;
-  return {first, last};
+void require_strips(const std::vector<RowsOnStrip>& strips, double ds) {
+  const double half = row_on_strip * ds;
+  for (const RowsOnStrip& rows : strips) {
+    const auto [lo, hi] = std::ranges::minmax(rows.s);
+    try {
+      require_strip(rows.file->strip(), lo - half, hi + half);
+    } catch (const OffStripError& error) {
+      if (rows.section.empty())
+        throw;
+      throw OffStripError(fmt::format("Influence file of {}: {}", rows.section, error.what()));
+    }
+  }
+}
+
+std::pair<int, int> covered_rows(const std::vector<RowsOnStrip>& strips, double ds, int rows) {
+  std::vector<char> good(rows, 1);
+  for (const RowsOnStrip& on : strips)
+    for (std::size_t i = 0; i < on.s.size(); ++i)
+      good[on.first + i] = good[on.first + i] && inside(*on.file, on.s[i], ds);
+  const auto first = std::ranges::find(good, 1);
+  const auto last = std::find(good.rbegin(), good.rend(), 1);
+  return {static_cast<int>(first - good.begin()), static_cast<int>(good.rend() - last) - 1};
 }
 
 } // namespace bem_contact

@@ -6,6 +6,7 @@
 #include "bem_contact/sequence/numbers/numbers_store.hpp"
 
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,11 +15,16 @@ namespace bem_contact {
 /// The influence files of both bodies, where the scene names both.
 struct PairFiles {
   std::shared_ptr<InfluenceFile> rail, wheel; ///< shared by the cases of a sequence
+  /// Of a rail of sections, instead of `rail`: as Body::sections lists them.
+  std::vector<std::shared_ptr<InfluenceFile>> sections = {};
 
-  bool complete() const { return rail && wheel; }
+  bool of_rail() const { return rail || !sections.empty(); }
+  bool complete() const { return of_rail() && wheel; }
+  /// All that there are; one that serves several sections as often.
+  std::vector<std::shared_ptr<InfluenceFile>> all() const;
 };
 
-/// Opens the influence files that the bodies name and checks their materials.
+/// Opens the influence files that the bodies name and checks their materials, and the profiles of sections.
 /// Throws InputError for a file that cannot be used (influence_file.hpp).
 PairFiles read_pair_files(const Body& rail, const Body& wheel);
 
@@ -42,11 +48,21 @@ std::vector<double> radial_inclination(const ContactSetup& setup, const std::vec
 InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, const ContactOnGrid& contact,
                           NumbersParts* known = nullptr, int threads = 1);
 
-/// Throws InputError unless the strip of either file covers every row of width ds at these stations, mm.
-void require_strips(const PairFiles& files, double ds, const std::vector<double>& rail_s,
-                    const std::vector<double>& wheel_s);
-/// First and last row that lie on both strips; first > last where none does.
-std::pair<int, int> covered_rows(const PairFiles& files, double ds, const std::vector<double>& rail_s,
-                                 const std::vector<double>& wheel_s);
+/// Rows on the strip of one influence file.
+struct RowsOnStrip {
+  std::shared_ptr<InfluenceFile> file;
+  int first = 0;            ///< row
+  std::vector<double> s;    ///< arc lengths on its strip, mm
+  std::string section = {}; ///< which section of a rail it is, in words; "": the body has one profile
+};
+/// All that the rows need; where a file is not there nothing. Throws OffStripError where a rail of sections
+/// has no files (section_blend()).
+std::vector<RowsOnStrip> rows_on_files(const ContactSetup& setup, const PairFiles& files,
+                                       const RowsOnBodies& rows);
+
+/// Throws OffStripError unless all strips cover every row of width ds, mm.
+void require_strips(const std::vector<RowsOnStrip>& strips, double ds);
+/// First and last of `rows` rows that lie on all of the strips; first > last where none does.
+std::pair<int, int> covered_rows(const std::vector<RowsOnStrip>& strips, double ds, int rows);
 
 } // namespace bem_contact

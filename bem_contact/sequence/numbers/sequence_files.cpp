@@ -10,9 +10,8 @@ namespace {
 
 double size_of_files(const PairFiles& files) {
   double megabytes = 0;
-  for (const auto& file : {files.rail, files.wheel})
-    if (file)
-      megabytes += file->megabytes();
+  for (const auto& file : files.all())
+    megabytes += file->megabytes();
   return megabytes;
 }
 
@@ -44,7 +43,8 @@ WheelRailProfiles SequenceFiles::profiles(const SceneFile& scene) {
 
 PairFiles SequenceFiles::influence(const Body& rail, const Body& wheel) {
   return take(
-      influence_, InfluenceSources{rail.influence, wheel.influence, rail.material, wheel.material},
+      influence_,
+      InfluenceSources{rail.influence, wheel.influence, rail.sections, rail.material, wheel.material},
       [&] { return read_pair_files(rail, wheel); }, size_of_files, most_megabytes_);
 }
 

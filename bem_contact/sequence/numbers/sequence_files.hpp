@@ -33,6 +33,7 @@ private:
   };
   struct InfluenceSources { ///< with the materials, which the reader checks
     std::filesystem::path rail, wheel;
+    std::vector<SectionInfluence> sections;
     Material rail_material, wheel_material;
     bool operator==(const InfluenceSources&) const = default;
   };

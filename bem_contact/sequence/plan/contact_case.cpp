@@ -102,6 +102,26 @@ std::vector<TangentPlane> estimated_planes(const ContactCase& contact) {
   return out;
 }
 
+/// The arc length on the rail of a station of its influence file, mm; of a rail of sections that of the file
+/// before the contact. Nothing without a file.
+std::optional<double> origin_of_rows(const ContactCase& contact) {
+  const PairFiles& files = contact.files;
+  if (files.rail)
+    return files.rail->strip().stations.front().s;
+  if (files.sections.empty())
+    return std::nullopt;
+  try {
+    const ReferencePoint& at = contact.setup.reference();
+    const std::vector<RowsOnStrip> strips =
+        rows_on_files(contact.setup, files, {{{at.s, at.position, at.delta}}, {at.s}, {}});
+    if (strips.empty())
+      return std::nullopt;
+    return strips.front().file->strip().stations.front().s + at.s - strips.front().s.front();
+  } catch (const OffStripError&) { // the contact is beyond the files, and other models may serve it
+    return std::nullopt;
+  }
+}
+
 /// Files cannot leave these lists empty; a program can.
 void require_quantities(const char* key, std::size_t named) {
   if (named == 0)
@@ -134,7 +154,7 @@ ContactCase prepare_case(const SceneFile& scene, SequenceFiles& files, PrepareOp
 }
 
 ContactCase with_influence(ContactCase asked, SequenceFiles& files) {
-  if (asked.files.rail || asked.files.wheel) // read and checked before
+  if (asked.files.of_rail() || asked.files.wheel) // read and checked before
     return asked;
   asked.files = files.influence(asked.setup.rail, asked.setup.wheel);
   if (const WheelRailGeometry* placed = asked.setup.wheel_rail())
@@ -143,13 +163,12 @@ ContactCase with_influence(ContactCase asked, SequenceFiles& files) {
 }
 
 std::pair<int, int> rows_on_strips(const ContactCase& contact, const GridPlan& plan) {
-  const RowsOnBodies rows = contact.setup.rows_on(plan);
-  return covered_rows(contact.files, plan.ds, rows.rail_s, rows.wheel_s);
+  return covered_rows(rows_on_files(contact.setup, contact.files, contact.setup.rows_on(plan)), plan.ds,
+                      plan.rows);
 }
 
 void require_strips(const ContactCase& contact, const GridPlan& plan) {
-  const RowsOnBodies rows = contact.setup.rows_on(plan);
-  require_strips(contact.files, plan.ds, rows.rail_s, rows.wheel_s);
+  require_strips(rows_on_files(contact.setup, contact.files, contact.setup.rows_on(plan)), plan.ds);
 }
 
 GridPlan first_plan(const ContactCase& contact, const SceneFile::Grid& asked, bool on_strips) {
@@ -157,8 +176,7 @@ GridPlan first_plan(const ContactCase& contact, const SceneFile::Grid& asked, bo
   if (const PatchGeometry* patch = contact.setup.patch()) {
     plan = patch->plan();
   } else {
-    const auto& rail = contact.files.rail;
-    plan = plan_grid(*contact.estimate, asked, rail ? rail->strip().stations.front().s : 0.5 * asked.ds);
+    plan = plan_grid(*contact.estimate, asked, origin_of_rows(contact).value_or(0.5 * asked.ds));
     if (contact.scene.grid.planar)
       plan.planes = estimated_planes(contact);
     // The estimate is generous: give up rows off the strips, as long as the contact does not need them.

@@ -134,9 +134,8 @@ bool open_size(const SceneFile::Grid& grid) {
 /// The shortest element that influence files have numbers for, mm; 0: any.
 double shortest_element(const PairFiles& files) {
   double shortest = 0;
-  for (const auto& file : {files.rail, files.wheel})
-    if (file)
-      shortest = std::max(shortest, wavelength_reserve * shortest_dx(file->strip()));
+  for (const auto& file : files.all())
+    shortest = std::max(shortest, wavelength_reserve * shortest_dx(file->strip()));
   return shortest;
 }
 

@@ -171,7 +171,7 @@ PrescribedMotion prescribed_of(const ContactCase& asked) {
 }
 
 bool has_influence_files_of_both(const ContactCase& asked) {
-  return !asked.setup.rail.influence.empty() && !asked.setup.wheel.influence.empty();
+  return asked.setup.rail.has_influence() && asked.setup.wheel.has_influence();
 }
 
 ContactTraits traits_of(const ContactCase& asked, const ContactEstimate& estimate) {

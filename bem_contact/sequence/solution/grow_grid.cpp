@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <limits>
 
 namespace bem_contact {
@@ -56,18 +57,22 @@ Touched touched_edges(const GridSolution& solved) {
   return out;
 }
 
-std::string strip_text(const InfluenceStrip& f) {
-  const auto [from, to] = f.ends();
-  return fmt::format("s = {:.2f} .. {:.2f} mm of '{}'", from, to, f.body);
+std::vector<std::string> strips_text(const ContactCase& contact, const GridPlan& plan) {
+  std::vector<std::string> out;
+  for (const RowsOnStrip& on : rows_on_files(contact.setup, contact.files, contact.setup.rows_on(plan))) {
+    const auto [from, to] = on.file->strip().ends();
+    out.push_back(fmt::format("s = {:.2f} .. {:.2f} mm of '{}'{}", from, to, on.file->strip().body,
+                              on.section.empty() ? "" : fmt::format(" ({})", on.section)));
+  }
+  return out;
 }
 
 /// `plan`: the rows that were solved, as far as the strips reach.
 [[noreturn]] void refuse_end_of_strip(const ContactCase& contact, const GridPlan& plan) {
   throw OffStripError(
       "The contact reaches the end of a strip of the influence files",
-      fmt::format("they cover {} and {}; the rows solved are s = {:.2f} .. {:.2f} mm of the rail",
-                  strip_text(contact.files.rail->strip()), strip_text(contact.files.wheel->strip()),
-                  plan.s_from(), plan.s_to()),
+      fmt::format("they cover {}; the rows solved are s = {:.2f} .. {:.2f} mm of the rail",
+                  fmt::join(strips_text(contact, plan), " and "), plan.s_from(), plan.s_to()),
       "Compute influence functions of longer strips (bem_contact check prints which), or choose "
       "tangent_plane or halfspace.");
 }

@@ -22,11 +22,13 @@ NumbersSource numbers_source(Model model, const ContactSetup& setup, const Conta
                        grid.ms,     contact.problem.plane_strain() ? 0.0 : grid.dx,
                        grid.ds,     setup.reference_distance(),
                        {},          {},
-                       0,           0,
-                       {}};
+                       {},          0,
+                       0,           {}};
   if (has_files(model)) {
     source.rail_s = contact.rail_s;
     source.wheel_s = contact.wheel_s;
+    if (!setup.rail.sections.empty())
+      source.blend = section_blend(setup, contact.problem.rows);
     source.contact_radius = contact.contact_radius;
     source.roller_contact_radius = contact.roller_contact_radius;
     source.inclination = radial_inclination(setup, contact.problem.rows);

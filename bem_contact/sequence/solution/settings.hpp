@@ -51,6 +51,15 @@ BEM_CONTACT_TUNED(double, shear_slide, 1.2);
 /// tells how numbers change with it. Chosen: nearer ones show the elements, farther ones another contact.
 BEM_CONTACT_TUNED(double, farthest_trial, 20.0);
 
+// Influence functions of sections (section_ends.hpp).
+
+/// mm. Rows of a contact may lie so far beside the points that correspond on the section of an influence
+/// file. Chosen: a body's compliance changes over lengths as its own, 20 mm and more.
+BEM_CONTACT_TUNED(double, farthest_correspondence, 3.0);
+/// 1. Over the length of a contact the largest pressure, the force or the approach may change by this share
+/// from one section to the next. Chosen: half of it, what the middle is off from either end, is 5 %.
+BEM_CONTACT_TUNED(double, largest_section_change, 0.1);
+
 // Start from the case before.
 
 /// 1. Two areas are the same contact if they overlap by this share of the smaller one.

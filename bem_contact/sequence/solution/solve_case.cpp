@@ -261,8 +261,16 @@ std::optional<Measured> free_creepage_if_asked(PlacedSolution& placed, const Sol
   const GridSolution& solved = placed.solved;
   const bool asked = resources.free_rolling && !is_closed_form(solved.model) && solved.result.certified() &&
                      !solved.result.patches.empty() && placed.asked.setup.motion.force_x != 0.0;
-  return asked && ends_here(resources, solved) ? free_creepage_of(placed.asked, placed.solved, resources)
-                                               : std::nullopt;
+  if (!asked || !ends_here(resources, solved))
+    return std::nullopt;
+  std::optional<Measured> found = free_creepage_of(placed.asked, placed.solved, resources);
+  if (found && placed.ends) {
+    const std::optional<double> error = free_creepage_error(*placed.ends, resources);
+    if (!error)
+      return std::nullopt;
+    found->error += *error;
+  }
+  return found;
 }
 
 ResultDerivatives derivatives_if_asked(PlacedSolution& placed, const SolveResources& resources) {
@@ -290,6 +298,8 @@ SceneResult recorded(PlacedSolution placed, const ModelChoice& choice, const Sol
   ResultDerivatives derivatives = derivatives_if_asked(placed, resources);
   SceneResult out = record_of(placed.asked, std::move(placed.solved), choice);
   out.structure = std::move(placed.structure);
+  if (placed.ends)
+    add_section_error(*placed.ends, placed.asked.setup.reference(), out.moment);
   out.derivatives = std::move(derivatives.numbers);
   out.profile_derivatives = std::move(derivatives.profiles);
   if (out.motion.lateral && resources.displacements &&
@@ -316,6 +326,10 @@ PlacedSolution solve_with(const ContactCase& asked, Model model, const SceneFile
   PlacedSolution placed =
       solve_on_placed_bodies(first.asked, grid, std::move(first.contact), {model}, resources);
   placed.solved.seconds.geometry += geometry;
+  if (has_files(model))
+    placed.ends = section_ends(placed.asked, placed.solved, resources);
+  if (placed.ends)
+    add_section_errors(*placed.ends, placed.solved.result);
   return placed;
 }
 

@@ -49,19 +49,19 @@ std::optional<StructuralResult> structures_of(const ContactCase& asked, Model mo
   if (!placed || !has_files(model))
     return std::nullopt;
   const Point2 point = placed->reference.position;
-  const auto one = [&](const Body& body, const InfluenceStrip& f,
+  const auto one = [&](const Body& body, const std::shared_ptr<InfluenceFile>& file,
                        const Pose& pose) -> std::optional<BodyMotion> {
-    if (body.structural == StructuralCompliance::removed)
+    if (!file || body.structural == StructuralCompliance::removed) // no file: it is of sections, and removed
       return std::nullopt;
-    const std::optional<SixBySix> own = structural_compliance(f, pose.to_section(point));
+    const std::optional<SixBySix> own = structural_compliance(file->strip(), pose.to_section(point));
     if (!own)
       return std::nullopt;
     BodyMotion out{.before = point, .after = point, .compliance = turned(*own, pose.angle), .stiffness = {}};
     out.stiffness = inverse(out.compliance);
     return out;
   };
-  StructuralResult out{.rail = one(asked.setup.rail, asked.files.rail->strip(), placed->pair.rail_pose),
-                       .wheel = one(asked.setup.wheel, asked.files.wheel->strip(), placed->pair.wheel_pose),
+  StructuralResult out{.rail = one(asked.setup.rail, asked.files.rail, placed->pair.rail_pose),
+                       .wheel = one(asked.setup.wheel, asked.files.wheel, placed->pair.wheel_pose),
                        .shift_y = {}};
   return out.rail || out.wheel ? std::optional(out) : std::nullopt;
 }
@@ -197,9 +197,10 @@ void solve_where_placed(ContactCase placed, const SceneFile::Grid& grid, const S
   out.asked = std::move(placed);
 }
 
-std::string body_datum(const Body& body, const InfluenceStrip& f) {
-  return body.structural == StructuralCompliance::included ? fmt::format("where it is held ({})", f.held)
-                                                           : "the mean of its remote section";
+std::string body_datum(const Body& body, const std::shared_ptr<InfluenceFile>& file) {
+  return file && body.structural == StructuralCompliance::included
+             ? fmt::format("where it is held ({})", file->strip().held)
+             : "the mean of its remote section";
 }
 
 } // namespace
@@ -208,8 +209,10 @@ PlacedSolution solve_on_placed_bodies(const ContactCase& asked, const SceneFile:
                                       ContactOnGrid first, const SolveTask& task,
                                       const SolveResources& resources) {
   const bool on_strips = has_files(task.model);
-  PlacedSolution out{asked, solve_on_tangent_planes(asked, std::move(first), task, resources, on_strips),
-                     structures_of(asked, task.model)};
+  PlacedSolution out{asked,
+                     solve_on_tangent_planes(asked, std::move(first), task, resources, on_strips),
+                     structures_of(asked, task.model),
+                     {}};
   const bool by_contact = is_placed_by_contact(asked.scene) && !is_closed_form(task.model);
   if (by_contact && !out.structure)
     out.structure.emplace();
@@ -283,8 +286,8 @@ double unseen_slide(const ContactCase& asked, const GridSolution& solved) {
 
 std::string approach_datum(const ContactCase& asked, Model model) {
   if (has_files(model)) {
-    const std::string rail = body_datum(asked.setup.rail, asked.files.rail->strip()),
-                      wheel = body_datum(asked.setup.wheel, asked.files.wheel->strip());
+    const std::string rail = body_datum(asked.setup.rail, asked.files.rail),
+                      wheel = body_datum(asked.setup.wheel, asked.files.wheel);
     return rail == wheel ? fmt::format("both bodies: {}", rail)
                          : fmt::format("rail: {}; wheel: {}", rail, wheel);
   }

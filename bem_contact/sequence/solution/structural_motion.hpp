@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/sequence/plan/model_choice.hpp"
+#include "bem_contact/sequence/solution/section_ends.hpp"
 #include "bem_contact/sequence/solution/solve_on_grid.hpp"
 
 #include <string>
@@ -12,6 +13,7 @@ struct PlacedSolution {
   ContactCase asked; ///< of the bodies as they stand
   GridSolution solved;
   std::optional<StructuralResult> structure; ///< nothing where no body's structure gives way
+  std::optional<SectionEnds> ends;           ///< of a rail of sections with influence files
 };
 
 /// solve_on_tangent_planes(), and after it, if structural compliance is included (fem) and the scene wants

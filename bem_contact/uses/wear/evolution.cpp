@@ -141,7 +141,7 @@ std::vector<CaseWear> wear_of_cases(const WornPair& now, std::span<const Collect
 }
 
 bool needs_influence(const SceneFile& scene) {
-  const bool files = !scene.rail.influence.empty() && !scene.wheel.influence.empty();
+  const bool files = scene.rail.has_influence() && scene.wheel.has_influence();
   return scene.solver.model ? has_files(*scene.solver.model) : files;
 }
 

@@ -73,6 +73,10 @@ WornSection worn_section(const BodySection& section, const std::string& body) {
 } // namespace
 
 std::vector<WornSection> unworn_sections(const SceneFile& scene) {
+  if (scene.rail.has_influence())
+    throw InputError("A rail of sections with influence files does not wear",
+                     "the files are of the sections as they are, and no others are computed",
+                     "Leave out the influence files of its sections and of the wheel.");
   std::vector<WornSection> out;
   for (const SectionsOfBody& one : sections_of_bodies(scene, ProfileKind::rail)) {
     const std::string body = one.name.empty() ? "The rail" : fmt::format("Body '{}' of the rail", one.name);

@@ -44,7 +44,7 @@ EquilibriumStart begin_at(WheelPair& wheels, double lateral, double factor) {
 
 /// Whether half-spaces with the same elements come near the model.
 bool half_spaces_are_near(const SceneFile& scene) {
-  const bool files = !scene.rail.influence.empty() || !scene.wheel.influence.empty() ||
+  const bool files = scene.rail.has_influence() || scene.wheel.has_influence() ||
                      !scene.wheelset.left_rail.influence.empty() ||
                      !scene.wheelset.left_wheel.influence.empty();
   return scene.solver.model ? turns_with_rows(*scene.solver.model) : !files;

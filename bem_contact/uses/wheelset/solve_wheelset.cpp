@@ -187,7 +187,7 @@ AtLateralForce at_lateral_force(EquilibriumFinder& finder, const EquilibriumStar
 
 bool has_both_files(const SceneFile& scene, WheelSide side) {
   const SceneFile one = one_wheel(scene, side);
-  return !one.rail.influence.empty() && !one.wheel.influence.empty();
+  return one.rail.has_influence() && one.wheel.has_influence();
 }
 
 /// Which wheel has which model, where influence files are given for one side alone; "" else.
