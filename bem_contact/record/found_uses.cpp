@@ -320,14 +320,26 @@ Found of_contact_wear(const Record& r) {
   return found;
 }
 
+/// What a half-space has in place of the largest von Mises stress in a body; "": it is that of one.
+std::string against_halfspace(const Record& r, std::size_t row) {
+  const auto flat = stated_at(r, "patches/halfspace_von_mises", row);
+  return flat ? fmt::format(" in {} (a half-space has {} there)", text_at(r, "body").value_or("the body"),
+                            text_of(*flat))
+              : "";
+}
+
 Found of_fatigue(const Record& r) {
-  Found found{{cracks_text(r), damage_text(r)}, {}};
+  Found found{{cracks_text(r)}, {}};
+  if (const auto words = text_at(r, "in_words"))
+    found.sentences[0] +=
+        fmt::format(" In {} the steel {}.", text_at(r, "body").value_or("the body"), *words);
+  found.sentences.push_back(damage_text(r));
   add_if(found.sentences, worst_place_text(r));
   if (const auto most = largest_of(r, "patches/von_mises"))
-    found.sentences.push_back(fmt::format("The largest von Mises stress is {}, {} deep; k is {}.",
+    found.sentences.push_back(fmt::format("The largest von Mises stress is {}, {} deep{}; k is {}.",
                                           text_of(*stated_at(r, "patches/von_mises", *most)),
                                           text_of(*stated_at(r, "patches/von_mises_depth", *most)),
-                                          said(r, "yield_shear")));
+                                          against_halfspace(r, *most), said(r, "yield_shear")));
   found.next = {question(r, "Does the steel below yield never, once or for ever?", "shakedown"),
                 question(r, "What wears away?", "wear")};
   return found;

@@ -25,14 +25,26 @@ std::string stresses_text(const std::optional<StressesBelow>& stresses) {
   if (!stresses || stresses->largest_shear.empty())
     return "";
   const StressesBelow& b = *stresses;
-  const auto at =
-      static_cast<std::size_t>(std::ranges::max_element(b.largest_shear) - b.largest_shear.begin());
   const std::size_t nd = b.depths.size(), ns = b.s.size();
-  return fmt::format(
-      "below the surface: largest shear stress {:.1f} MPa (von Mises {:.1f}) at x = {:g}, s = {:g}, "
-      "depth {:g} mm, of {}\n",
-      b.largest_shear[at], b.von_mises[at], b.x[at / nd / ns], b.s[at / nd % ns], b.depths[at % nd],
-      counted(b.largest_shear.size(), "point", "points"));
+  const auto largest = [](const StressField& f) {
+    return static_cast<std::size_t>(std::ranges::max_element(f.largest_shear) - f.largest_shear.begin());
+  };
+  const auto line = [&](const StressField& f, std::size_t at, const std::vector<double>& s) {
+    return fmt::format(
+        "largest shear stress {:.1f} MPa (von Mises {:.1f}) at x = {:g}, s = {:g}, depth {:g} mm",
+        f.largest_shear[at], f.von_mises[at], b.x[at / nd / ns], s[at / nd % ns], b.depths[at % nd]);
+  };
+  std::string out = fmt::format("below the surface: {}, of {}\n", line(b, largest(b), b.s),
+                                counted(b.largest_shear.size(), "point", "points"));
+  for (const StressesInBody& body : b.bodies) {
+    const std::size_t at = largest(body.in_body), flat = largest(body.halfspace);
+    const double error = body.error[at % (ns * nd)];
+    out += fmt::format("in the {} ({}): {} +- {:.1f} MPa; a half-space has {:.1f} MPa: the body {:+.1f} %\n",
+                       name_of(body.side), body.body, line(body.in_body, at, body.s), error,
+                       body.halfspace.largest_shear[flat],
+                       100 * (body.in_body.largest_shear[at] / body.halfspace.largest_shear[flat] - 1));
+  }
+  return out;
 }
 
 std::string structure_text(const std::optional<StructuralResult>& structure) {

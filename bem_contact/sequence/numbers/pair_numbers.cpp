@@ -32,7 +32,7 @@ std::shared_ptr<InfluenceFile> read_side(const Body& body) {
   return file;
 }
 
-bool inside(const std::shared_ptr<InfluenceFile>& file, double s, double ds) {
+bool on_strip(const std::shared_ptr<InfluenceFile>& file, double s, double ds) {
   if (!file)
     return true;
   const auto [from, to] = file->strip().ends();
@@ -219,7 +219,7 @@ std::pair<int, int> covered_rows(const PairFiles& files, double ds, const std::v
                                  const std::vector<double>& wheel_s) {
   int first = 0, last = static_cast<int>(rail_s.size()) - 1;
   const auto good = [&](int i) {
-    return inside(files.rail, rail_s[i], ds) && inside(files.wheel, wheel_s[i], ds);
+    return on_strip(files.rail, rail_s[i], ds) && on_strip(files.wheel, wheel_s[i], ds);
   };
   while (first <= last && !good(first))
     ++first;
