@@ -334,8 +334,7 @@ private:
     for (const CellStress& cell : chosen)
       for (const double s : {0.5 - gauss, 0.5 + gauss})
         for (const double z : {0.5 - gauss, 0.5 + gauss})
-          points.push_back(
-              {std::lerp(cell.from[1], cell.to[1], s), std::lerp(cell.from[2], cell.to[2], z)});
+          points.push_back({std::lerp(cell.from[1], cell.to[1], s), std::lerp(cell.from[2], cell.to[2], z)});
     std::vector<inside::LoadedInside> loads{
         {tractions, inside::halfspace_inside(tractions, inside::Side::rail, points)}};
     add_body_stresses(loads, body, curve, section, [](std::size_t, std::size_t) {});
@@ -399,8 +398,9 @@ TEST_F(Solid, stresses_in_the_blade_of_the_demo_are_those_of_the_section) {
                               section = folder_ / "section.msh";
   write_text(file, text);
   for (const std::string& words : {section.string(), solid.string() + " --solid"})
-    ASSERT_EQ(std::system(fmt::format("{} {} -o {} 2> /dev/null", MESH_BODY_PROGRAM, file.string(), words).c_str()),
-              0);
+    ASSERT_EQ(
+        std::system(fmt::format("{} {} -o {} 2> /dev/null", MESH_BODY_PROGRAM, file.string(), words).c_str()),
+        0);
   const BodyFile body = read_body_file(file);
   const BothMethods both{body, body_profile(body), 60, solid, section};
   const BothMethods::Difference found = both.difference();

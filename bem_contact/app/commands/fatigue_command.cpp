@@ -15,6 +15,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
@@ -53,7 +54,7 @@ ExitCode run(const FatigueArguments& arguments) {
   const SceneText text = read_scene_text(arguments.scene);
   const SweepFile sweep = has_sweep(text) ? parse_sweep_file(text) : SweepFile{text}; // one case
   check_values(sweep);
-  std::vector<std::string> inputs = files_read(arguments.scene, sweep);
+  std::vector<std::filesystem::path> inputs = files_read(arguments.scene, sweep);
   inputs.push_back(arguments.body);
   require_named_outputs(inputs,
                         {{"--output", arguments.output, OutputForm::whole_file}, {"--csv", arguments.csv}});

@@ -183,8 +183,8 @@ TEST(ResidualFields, HaveTheThermalStressOfAThickRing) {
   const ThickRing ring;
   for (const double surface : {R::outer, R::inner}) {
     const bool convex = surface == R::outer;
-    const double curvature = (convex ? 1 : -1) / surface, length = 1.5 * surface;
-    const std::vector<double> s = even_steps(-length, length, 36), n = even_steps(0, R::outer - R::inner, 18);
+    const double curvature = (convex ? 1 : -1) / surface, length = 2.2 * surface;
+    const std::vector<double> s = even_steps(-length, length, 40), n = even_steps(0, R::outer - R::inner, 22);
     const ResidualFields fields(s, n, Residual::in_plane, curvature);
     const auto radius = [&](double depth) { return convex ? surface - depth : surface + depth; };
     Eigen::MatrixXd energy = Eigen::MatrixXd::Zero(fields.size(), fields.size());
