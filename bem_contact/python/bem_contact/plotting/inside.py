@@ -2,6 +2,7 @@
 
 import h5py
 import numpy as np
+from matplotlib.ticker import MaxNLocator
 
 from . import style
 from .kinds import text
@@ -22,7 +23,8 @@ def places_of(section, shape):
 def draw_section(axis, places, stress, levels, name):
     across, down, xlabel, ylabel = places
     image = axis.contourf(across, down, np.ma.masked_invalid(stress), levels=levels, cmap=style.STRESS)
-    axis.plot(across[:, 0], down[:, 0], color=style.RAIL, linewidth=2.5)
+    there = np.isfinite(stress[:, 0])
+    axis.plot(across[there, 0], down[there, 0], color=style.RAIL, linewidth=2.5)
     at = np.unravel_index(np.nanargmax(stress), stress.shape)
     axis.plot(across[at], down[at], "+", color=style.ADHESION, markersize=13, markeredgewidth=2, label=f"largest: {stress[at]:.0f} MPa")
     axis.set(title=f"Von Mises stress {name}", xlabel=xlabel, ylabel=ylabel, aspect="equal")
@@ -43,8 +45,8 @@ def draw(files):
         if has_body:
             shown.append((section["halfspace_von_mises"][:], HALFSPACE))
         places, depth = places_of(section, stress.shape), section["depth"][:]
-        figure, (axes,) = style.panels(1, len(shown) + 1, (5 * len(shown) + 4.5, 5))
-        levels = np.linspace(0, max(np.nanmax(values) for values, _ in shown), LEVELS)
+        figure, (axes,) = style.panels(1, len(shown) + 1, (5 * len(shown) + 4.5, 4.4))
+        levels = MaxNLocator(LEVELS).tick_values(0, max(np.nanmax(values) for values, _ in shown))
         over = axes[-1]
         for axis, (values, title), dash in zip(axes, shown, ("-", "--")):
             image, at = draw_section(axis, places, values, levels, title)
