@@ -191,7 +191,8 @@ export const sectionFigure = contact => {
 /// The von Mises stress below the surface: a section through the largest one, or a line over depth, beside that of a
 /// half-space if it is one in a body.
 export const stressFigure = ({x, s, depths, von_mises: stress, halfspace_von_mises: flat}) => {
-  const [count, rows, deep] = stress.shape, at = stress.values.indexOf(Math.max(...stress.values));
+  const known = stress.values.filter(Number.isFinite), at = stress.values.indexOf(Math.max(...known));
+  const [count, rows, deep] = stress.shape;
   const [i, j, k] = [Math.floor(at / (rows * deep)), Math.floor(at / deep) % rows, at % deep];
   const value = (l, m, n) => stress.values[(l * rows + m) * deep + n], depth = depths.values;
   const mark = {

@@ -127,7 +127,8 @@ class BodyStresses(unittest.TestCase):
 
     def test_a_scene_asks_for_stresses_in_its_body_where_its_strip_is(self):
         f, kernel = self.folder, self.kernel()
-        in_body = f'rail.influence = "{kernel}"\n' + SCENE + '[strip]\nrail_s0 = %s\n[stresses]\nin = "bodies"\ns = [0.1, 0.3]\ndepths = [0.4, 1, 4]\n'
+        asked = '[strip]\nrail_s0 = %s\n[stresses]\nin = "bodies"\ns = [0.1, 0.3]\ndepths = [0.4, 1, 4]\n'
+        in_body = f'rail.influence = "{kernel}"\n' + SCENE + asked
         (f / "points.csv").write_text("s,depth\n" + "".join(f"{s},{depth}\n" for s in (0.7, 0.9) for depth in (0.4, 1, 4)))
         for shift in (0, 0.6):
             (f / "asks.toml").write_text(in_body % shift)
@@ -147,8 +148,9 @@ class BodyStresses(unittest.TestCase):
 
     def test_fatigue_takes_what_lies_below_the_surface_from_the_body(self):
         f, kernel = self.folder, self.kernel()
-        (f / "weights.toml").write_text(SCENE + f'[fatigue]\nyield_shear = 250\nbody = "{kernel}"\n[sweep]\nload.force = [600, 1000]\nweight = [1, 3]\n')
-        (f / "flat.toml").write_text(SCENE + "[sweep]\nload.force = [600, 1000]\nweight = [1, 3]\n")
+        cases = "[sweep]\nload.force = [600, 1000]\nweight = [1, 3]\n"
+        (f / "weights.toml").write_text(SCENE + f'[fatigue]\nyield_shear = 250\nbody = "{kernel}"\n' + cases)
+        (f / "flat.toml").write_text(SCENE + cases)
         flat, body = (json.loads(self.call_ok("fatigue", f / name, "--yield-shear", 250, "--json")) for name in ("flat.toml", "weights.toml"))
         limits = self.patches("shakedown", f / "flat.toml", "--body", kernel, "--yield-shear", 250)
         for without, inside, limit in zip(flat["patches"], body["patches"], limits):
