@@ -240,6 +240,19 @@ Eigen::MatrixXd unit_stresses(const SurfaceTractions& t, const Rows& rows, std::
 
 } // namespace
 
+Stress halfspace_stress(const SurfaceTractions& t, const BelowSurface& point, double x) {
+  Stress sum;
+  for (std::size_t i = 0; i < t.pn.size(); ++i) {
+    if (!(t.pn[i] > 0))
+      continue;
+    const auto row = i / static_cast<std::size_t>(t.columns);
+    const auto unit = halfspace::rectangle_stress(t.poisson, x - t.x(static_cast<int>(i) % t.columns),
+                                                  point.s - t.s[row], point.depth, 0.5 * t.dx, 0.5 * t.ds);
+    sum.add(t.px[i], unit[component_x]).add(t.ps[i], unit[component_s]).add(t.pn[i], unit[component_n]);
+  }
+  return sum;
+}
+
 std::vector<std::vector<Stress>> halfspace_stresses(const SurfaceTractions& tractions,
                                                     std::span<const BelowSurface> points,
                                                     std::span<const int> columns) {

@@ -42,4 +42,7 @@ std::vector<std::vector<halfspace::Stress>> halfspace_stresses(const SurfaceTrac
                                                                std::span<const BelowSurface> points,
                                                                std::span<const int> columns);
 
+/// The same at one point below any place x, by a sum over the loaded elements.
+halfspace::Stress halfspace_stress(const SurfaceTractions& tractions, const BelowSurface& point, double x);
+
 } // namespace bem_contact::inside

@@ -59,10 +59,12 @@ std::vector<double> evenly_spaced(std::span<const double> s, double ds) {
   return out;
 }
 
-/// The wheel's own frame is the contact frame turned by pi about x, and its tractions are those on the rail
-/// with the other sign: (-p_x, p_s, p_n) from the last row to the first.
-SurfaceTractions turned(const SurfaceTractions& rail, std::span<const double> wheel_s) {
+} // namespace
+
+SurfaceTractions on_upper_body(const SurfaceTractions& rail, std::span<const double> wheel_s,
+                               double poisson) {
   SurfaceTractions out = rail;
+  out.poisson = poisson;
   const auto rows = static_cast<std::size_t>(rail.rows()), columns = static_cast<std::size_t>(rail.columns);
   std::vector<double> s;
   for (std::size_t row = 0; row < rows; ++row) {
@@ -96,8 +98,6 @@ SurfaceTractions turned(const SurfaceTractions& rail, std::span<const double> wh
   out.s = evenly_spaced(s, rail.ds);
   return out;
 }
-
-} // namespace
 
 bool SurfaceTractions::has_shear() const {
   const auto any = [](const std::vector<double>& field) {
@@ -159,7 +159,13 @@ SurfaceTractions read_tractions(const record::Record& result, Side side) {
     field->assign(values.begin(), values.end());
   }
   out.poisson = number(fmt::format("materials/{}_poisson", name_of(side)));
-  return side == Side::rail ? out : turned(out, values_of(result, "wheel_s", s.size()));
+  if (side == Side::wheel)
+    return on_upper_body(out, values_of(result, "wheel_s", s.size()), out.poisson);
+  if (record::has(result, "rail_s")) { // a patch given directly has its own s
+    const std::span<const double> own = values_of(result, "rail_s", s.size());
+    out.s.assign(own.begin(), own.end());
+  }
+  return out;
 }
 
 Side side_of(const record::Record& result, std::uint64_t profile_digest) {

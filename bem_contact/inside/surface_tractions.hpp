@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace bem_contact::inside {
@@ -43,9 +44,15 @@ struct SurfaceTractions {
 /// The elements in contact (p_n > 0) of each patch (8 neighbours), the largest force first.
 std::vector<std::vector<int>> loaded_patches(const SurfaceTractions& tractions);
 
-/// The tractions that a result file (bem_contact solve -o) has on one of its bodies. On the wheel their rows
-/// are as wide as on the rail, about the middle of each area: the two differ by the distance of the bodies
-/// over their radii. Throws InputError for what is no certified result, and for one in plane strain.
+/// Those on the upper body (wheel), from those on the lower one (rail). The wheel's own frame is the contact
+/// frame turned by pi about x, and the tractions have the other sign: (-p_x, p_s, p_n) from the last row to
+/// the first. Rows are as wide as on the rail, about the middle of each area: the two differ by the distance
+/// of the bodies over their radii. `wheel_s`: arc length of each row of the rail on the wheel's profile, mm;
+/// nan where there is none. Throws InputError where a row in contact has none.
+SurfaceTractions on_upper_body(const SurfaceTractions& rail, std::span<const double> wheel_s, double poisson);
+
+/// The tractions that a result file (bem_contact solve -o) has on one of its bodies. Throws InputError for
+/// what is no certified result, and for one in plane strain.
 SurfaceTractions read_tractions(const record::Record& result, Side side);
 
 /// The body of that result with this profile (ProfileCurve::digest()). Of a patch given directly, the lower

@@ -213,7 +213,9 @@ void add_parts(ResultClass& c) {
       "stresses", [](const SceneResult& r) { return as_object(stresses_of(r.stresses)); },
       "Stresses below the surface, where the scene asks for them: dict of x, s, depths "
       "(mm), stress [x][s][depth][6] of `components`, von_mises and largest_shear "
-      "[x][s][depth] (MPa, tension positive); else None");
+      "[x][s][depth] (MPa, tension positive); with stresses.in = \"bodies\" also `rail`, `wheel`: dicts with "
+      "the same names of the real body, its `s`, `error` [s][depth], and halfspace_von_mises ... there; else "
+      "None");
   c.def_readonly("approach_datum", &SceneResult::approach_datum,
                  "Of which points of the bodies the approach is the relative displacement");
   c.def_property_readonly(

@@ -179,22 +179,28 @@ py::dict wear_under(const NoResult& scene, double depth, const py::object& model
   return out;
 }
 
-fatigue::FatigueProperties properties_of(double yield_shear, NumberList nodes, NumberList damage) {
-  return {.yield_shear = yield_shear, .damage = {.t_gamma = std::move(nodes), .damage = std::move(damage)}};
+fatigue::FatigueProperties properties_of(double yield_shear, NumberList nodes, NumberList damage,
+                                         const std::optional<std::string>& body) {
+  return {.yield_shear = yield_shear,
+          .damage = {.t_gamma = std::move(nodes), .damage = std::move(damage)},
+          .body = body.value_or("")};
 }
 
 py::dict fatigue_of(const PythonResult& result, double yield_shear, NumberList nodes, NumberList damage,
-                    bool stresses) {
+                    bool stresses, const std::optional<std::string>& body) {
   const SceneResult& r = solved(result, "fatigue");
-  fatigue::FatigueProperties properties = properties_of(yield_shear, std::move(nodes), std::move(damage));
+  fatigue::FatigueProperties properties =
+      properties_of(yield_shear, std::move(nodes), std::move(damage), body);
   properties.stresses = stresses;
   const fatigue::Fatigue f = fatigue::fatigue_of(r, properties);
-  return as_dict(record_of(f, r.problem.grid));
+  return as_dict(record_of(f, r.problem.grid, properties));
 }
 
 py::dict fatigue_under(const NoResult& scene, double yield_shear, NumberList nodes, NumberList damage,
-                       bool wear_is_negative, const py::object& folder) {
-  fatigue::FatigueProperties properties = properties_of(yield_shear, std::move(nodes), std::move(damage));
+                       bool wear_is_negative, const py::object& folder,
+                       const std::optional<std::string>& body) {
+  fatigue::FatigueProperties properties =
+      properties_of(yield_shear, std::move(nodes), std::move(damage), body);
   properties.damage.wear_is_negative = wear_is_negative;
   const fatigue::CollectiveFatigue found =
       stoppable([=, sweep = collective_of(scene, folder)](const std::atomic<bool>* stop) {
@@ -240,13 +246,16 @@ void add_wear_functions(py::module_& module) {
   const fatigue::FatigueProperties steel;
   module.def("fatigue", &fatigue_of, "result"_a, "yield_shear"_a = steel.yield_shear,
              "nodes"_a = steel.damage.t_gamma, "damage"_a = steel.damage.damage,
-             "stresses"_a = steel.stresses,
+             "stresses"_a = steel.stresses, "body"_a = py::none(),
              "Rolling contact fatigue of a Result: `FI` of each element ([ms][mx]), `patches` with shakedown "
              "point, FI_surf, T_gamma (N) and damage of a passage, and the largest `von_mises` and `tresca` "
-             "stress below the surface (MPa) with x, s and depth (mm). `yield_shear`: k, MPa.");
+             "stress below the surface (MPa) with x, s and depth (mm). `yield_shear`: k, MPa. `body`: an "
+             "influence file with stresses, or a body file (by mesh_body and fem_influence): stresses and "
+             "shakedown limit below the surface are then those in that rail or wheel.");
   module.def("fatigue", &fatigue_under, "scene"_a, "yield_shear"_a = steel.yield_shear,
              "nodes"_a = steel.damage.t_gamma, "damage"_a = steel.damage.damage,
              "wear_is_negative"_a = steel.damage.wear_is_negative, "folder"_a = py::none(),
+             "body"_a = py::none(),
              "The same of each case of a scene's table [sweep], as `bem_contact fatigue` has it: `cases`, "
              "`beyond_surface_limit` (patches), `beyond_limit_below` (others), `damage` (of one passage, "
              "mean over the collective), and `patches`, one dict for each patch of each case.");

@@ -188,9 +188,11 @@ export const sectionFigure = contact => {
              yaxis: {title: "z down, mm", autorange: "reversed", scaleanchor: "x"}}};
 };
 
-/// The von Mises stress below the surface: a section through the largest one, or a line over depth.
-export const stressFigure = ({x, s, depths, von_mises: stress}) => {
-  const [count, rows, deep] = stress.shape, at = stress.values.indexOf(Math.max(...stress.values));
+/// The von Mises stress below the surface: a section through the largest one, or a line over depth, beside that of a
+/// half-space if it is one in a body.
+export const stressFigure = ({x, s, depths, von_mises: stress, halfspace_von_mises: flat}) => {
+  const known = stress.values.filter(Number.isFinite), at = stress.values.indexOf(Math.max(...known));
+  const [count, rows, deep] = stress.shape;
   const [i, j, k] = [Math.floor(at / (rows * deep)), Math.floor(at / deep) % rows, at % deep];
   const value = (l, m, n) => stress.values[(l * rows + m) * deep + n], depth = depths.values;
   const mark = {
@@ -212,6 +214,14 @@ export const stressFigure = ({x, s, depths, von_mises: stress}) => {
           name: "von Mises stress",
           line: {color: INK}
         },
+        ...(flat ? [{
+          type: "scatter",
+          mode: "lines",
+          x: flat.values,
+          y: depth,
+          name: "of a half-space",
+          line: {color: INK, dash: "dash"}
+        }] : []),
         {...mark, x: [stress.values[at]], y: [depth[k]]}
       ],
       layout: {

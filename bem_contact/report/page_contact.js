@@ -70,6 +70,13 @@ const addContactFigures = contact => {
     addFigure(
         `stresses-${contact.name}`, `${titleOf(contact.name)}: stress below the surface, by half-space formulas.`,
         stressFigure(contact.group.stresses));
+  for (const side of ["rail", "wheel"].filter(name => contact.group.stresses?.[name])) {
+    const own = contact.group.stresses[side];
+    addFigure(
+        `stresses-${side}-${contact.name}`,
+        `${titleOf(contact.name)}: stress below the surface in the real ${side}, ${own.attributes.body}.`,
+        stressFigure({...contact.group.stresses, ...own}));
+  }
 };
 
 /// Forces by step, of a transient or of shifts.

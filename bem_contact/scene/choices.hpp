@@ -61,6 +61,12 @@ template <> struct EnumNames<ContactMotion> {
   static constexpr std::array<std::string_view, 2> names{"linear", "placed"};
 };
 
+/// What the points of [stresses] are in.
+enum class StressesIn { halfspace, bodies };
+template <> struct EnumNames<StressesIn> {
+  static constexpr std::array<std::string_view, 2> names{"halfspace", "bodies"};
+};
+
 /// The model of the bodies' elasticity. Sweeps keep a model as its number here, so a new one comes last.
 enum class Model { hertz, halfspace, tangent_plane, fem, simplified };
 

@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view of_compare[] = {"models", "strict", "threads"},
                            of_conicity[] = {"roll", "step", "to"},
                            of_creep_curves[] = {"eta", "jobs", "model", "phi", "strict", "xi"},
-                           of_fatigue[] = {"damage", "nodes", "wear_is_negative", "yield_shear"},
+                           of_fatigue[] = {"body", "damage", "nodes", "wear_is_negative", "yield_shear"},
                            of_fit[] = {"measured", "model", "parameters", "strict"},
                            of_passage[] = {"columns", "count", "from", "path", "step", "to"},
                            of_replay[] = {"columns", "compare",   "jobs",  "model",

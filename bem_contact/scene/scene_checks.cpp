@@ -309,11 +309,20 @@ void check_temperature(const SceneFile& f, const Schema& s) {
              "Give a smaller coefficient.");
 }
 
-void check_stresses(const SceneFile::Stresses& asked, const Schema& s) {
+void check_stresses(const SceneFile& f, const Schema& s) {
+  const SceneFile::Stresses& asked = f.stresses;
   for (const auto& [key, places] : {std::pair{"stresses.x", &asked.x}, {"stresses.s", &asked.s}})
     if (!asked.depths.empty() && places->empty())
       s.refuse(key, "stresses.depths are given, and no point lies below an empty list",
                "Give places, for instance [0.0], or leave out stresses.depths.");
+  if (!asked.asks_for_bodies())
+    return;
+  if (f.rail.influence.empty() && f.wheel.influence.empty())
+    s.refuse("stresses.in", "stresses in the bodies come from influence files, and none is given",
+             "Give rail.influence, wheel.influence or both, or use in = \"halfspace\".");
+  if (f.grid.plane_strain)
+    s.refuse("stresses.in", "in plane strain elements are endless along x, and nothing passes a body",
+             "Use in = \"halfspace\".");
 }
 
 void check_memory(const SceneFile& f, const Schema& s) {
@@ -349,7 +358,7 @@ void check_keys(const SceneFile& f, const Schema& s) {
   check_friction(f, s);
   check_layer(f, s);
   check_memory(f, s);
-  check_stresses(f.stresses, s);
+  check_stresses(f, s);
   if (f.kind == SceneKind::patch)
     check_patch(f, s);
   else {

@@ -278,7 +278,10 @@ struct SceneFile {
     std::vector<double> x{0.0}; ///< mm
     std::vector<double> s{0.0}; ///< arc length from the reference point (patch: the middle of the grid), mm
     std::vector<double> depths; ///< along n, mm; none: not asked for
+    /// `bodies`: beside those of a half-space the real ones, by the influence files that are given.
+    StressesIn in = StressesIn::halfspace;
 
+    bool asks_for_bodies() const { return in == StressesIn::bodies && !depths.empty(); }
     bool operator==(const Stresses&) const = default;
   } stresses; ///< [stresses]
 

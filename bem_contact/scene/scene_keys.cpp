@@ -114,6 +114,10 @@ void add_stresses(Schema& s, SceneFile::Stresses& stresses) {
         {.unit = "mm", .at_least = -1e6, .at_most = 1e6});
   t.add("depths", stresses.depths, "Depths along the surface's normal; none: stresses are not asked for",
         {.unit = "mm", .at_least = 1e-6, .at_most = 1e6});
+  t.add(
+      "in", stresses.in,
+      "Of a half-space, or beside it of the real bodies, whose influence files must have stresses ([stress] "
+      "of a body file)");
 }
 
 void add_wear(Schema& s, SceneFile::Wear& wear) {

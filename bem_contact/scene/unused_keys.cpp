@@ -125,7 +125,7 @@ std::vector<Cause> causes_of_bodies(const SceneFile& f) {
            (m.kind != MotionKind::steady && !m.frictionless),
        "the geometry follows a steady contact alone, and with solver.structural_motion = \"placed\""},
       {{"rail.influence", "wheel.influence"},
-       one_file,
+       one_file && !f.stresses.asks_for_bodies(),
        "influence files are used where both bodies have one"},
       {{"rail.y", "rail.z"}, f.rail.place == BodyPlace::gauge, "rail.place = \"gauge\" places the rail"},
       {{"wheel.y", "wheel.z"}, f.wheel.place == BodyPlace::gauge, "wheel.place = \"gauge\" places the wheel"},
@@ -148,8 +148,12 @@ std::vector<Cause> causes_of_grid(const SceneFile& f) {
       {{"grid.dx", "gap.a", "gap.c", "stresses.x"},
        f.grid.plane_strain,
        "plane strain is the same all along x"},
-      {{"stresses.x", "stresses.s"}, f.stresses.depths.empty(), "no stresses.depths are given"},
-      {{"strip.rail_s0", "strip.wheel_s0"}, patch && !files, "they are places in influence files"},
+      {{"stresses.x", "stresses.s", "stresses.in"},
+       f.stresses.depths.empty(),
+       "no stresses.depths are given"},
+      {{"strip.rail_s0", "strip.wheel_s0"},
+       patch && !files && !f.stresses.asks_for_bodies(),
+       "they are places in influence files"},
       {{"strip.upper_radius"}, !files && !f.gap.table.empty(), "gap.table is the whole distance"},
   };
 }

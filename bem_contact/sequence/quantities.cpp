@@ -290,6 +290,10 @@ constexpr RowQuantity all_of_rows[] = {
      [](const SceneResult& r, std::size_t row) {
        return r.bodies.wheel_s.empty() ? none : r.bodies.wheel_s[row];
      }},
+    {"rail_s", mm, "of a patch on influence files: arc length of the rows along the lower body's profile",
+     [](const SceneResult& r, std::size_t row) {
+       return r.bodies.rail_s.empty() ? none : r.bodies.rail_s[row];
+     }},
     {"layer", compliance_unit, "compliance of the layer under shear on the rows; nan: there is none",
      [](const SceneResult& r, std::size_t row) {
        return r.layer.shear.empty() ? none : r.layer.shear_of(static_cast<int>(row));

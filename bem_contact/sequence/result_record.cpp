@@ -160,27 +160,54 @@ record::Content structure_of(const std::optional<StructuralResult>& s) {
   return out;
 }
 
+namespace {
+
+Field stress_line(const std::vector<double>& values, const char* meaning) {
+  return Field{"mm", meaning, {values.size()}, values};
+}
+
+/// `prefix`: of the names; `of`: what they are stresses of, in words.
+void add_stress_field(Record& out, const StressField& f, const Shape& shape, const std::string& prefix,
+                      const std::string& of) {
+  std::vector<double> tensor;
+  for (const halfspace::Stress& t : f.stress)
+    tensor.insert(tensor.end(), {t.xx, t.ss, t.nn, t.xs, t.xn, t.sn});
+  Shape of_tensor = shape;
+  of_tensor.push_back(6);
+  out.add(prefix + "stress",
+          field(std::move(tensor), "MPa", "[x][s][depth][component]; tension positive; " + of, of_tensor))
+      .add(prefix + "von_mises", Field{"MPa", "von Mises' stress [x][s][depth]", shape, f.von_mises})
+      .add(prefix + "largest_shear", Field{"MPa", "largest shear stress", shape, f.largest_shear});
+}
+
+Record in_body_record(const StressesInBody& b, const Shape& shape) {
+  Record out{{"body", record::Text{b.body}},
+             {"s", stress_line(b.s, "arc length of the points along this body's profile")},
+             {"error", Field{"MPa",
+                             "what its stresses may be off by its finite elements, as von Mises' stress "
+                             "[s][depth]",
+                             {shape[1], shape[2]},
+                             b.error}}};
+  add_stress_field(out, b.in_body, shape, "", "of the real body");
+  add_stress_field(out, b.halfspace, shape, "halfspace_", "half-space closed forms");
+  return out;
+}
+
+} // namespace
+
 record::Content stresses_of(const std::optional<StressesBelow>& b) {
   if (!b)
     return {};
   const Shape shape{b->x.size(), b->s.size(), b->depths.size()};
-  std::vector<double> tensor;
-  for (const halfspace::Stress& t : b->stress)
-    tensor.insert(tensor.end(), {t.xx, t.ss, t.nn, t.xs, t.xn, t.sn});
-  Shape of_tensor = shape;
-  of_tensor.push_back(6);
-  const auto line = [](const std::vector<double>& values, const char* meaning) {
-    return Field{"mm", meaning, {values.size()}, values};
-  };
-  return Record{
-      {"x", line(b->x, "x of the points")},
-      {"s", line(b->s, "arc length of the points along the rail")},
-      {"depths", line(b->depths, "depth of the points below the surface, along n")},
-      {"components", record::Texts{{"xx", "ss", "nn", "xs", "xn", "sn"}, "of the stress, frame (x, s, n)"}},
-      {"stress", field(std::move(tensor), "MPa",
-                       "[x][s][depth][component]; tension positive; half-space closed forms", of_tensor)},
-      {"von_mises", Field{"MPa", "von Mises' stress [x][s][depth]", shape, b->von_mises}},
-      {"largest_shear", Field{"MPa", "largest shear stress", shape, b->largest_shear}}};
+  Record out{
+      {"x", stress_line(b->x, "x of the points")},
+      {"s", stress_line(b->s, "arc length of the points along the rail")},
+      {"depths", stress_line(b->depths, "depth of the points below the surface, along n")},
+      {"components", record::Texts{{"xx", "ss", "nn", "xs", "xn", "sn"}, "of the stress, frame (x, s, n)"}}};
+  add_stress_field(out, *b, shape, "", "half-space closed forms");
+  for (const StressesInBody& body : b->bodies)
+    out.add(std::string(name_of(body.side)), in_body_record(body, shape));
+  return out;
 }
 
 namespace {

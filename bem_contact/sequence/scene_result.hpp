@@ -111,6 +111,7 @@ struct SceneBodies {
   /// ProfileCurve::digest() of both profiles, as influence files have it; 0 of a patch.
   std::uint64_t rail_geometry = 0, wheel_geometry = 0;
   std::vector<double> wheel_s; ///< station on the upper body of each row, mm; empty where it has none
+  std::vector<double> rail_s;  ///< of a patch on influence files: that on the lower body; else empty
   std::vector<Point2> rail_profile, wheel_profile;    ///< Outlines: at approach 0, frame of the rows, mm
   std::shared_ptr<const SectionedRail> rail_sections; ///< of a rail of sections, as it is looked at
 };

@@ -117,6 +117,57 @@ class BodyStresses(unittest.TestCase):
         self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
         self.assertIn("to a depth of 12 mm", done.stderr)
 
+    def kernel(self):
+        f = self.folder
+        if not (f / "shared.h5").exists():
+            (f / "shared.toml").write_text(programs.SMALL_BLOCK + "[stress]\ndepths = 8\ndeepest = 8\n")
+            self.call_ok(f / "shared.toml", "-o", f / "shared.msh", program="mesh_body")
+            self.call_ok(f / "shared.toml", f / "shared.msh", "-o", f / "shared.h5", program="fem_influence")
+        return f / "shared.h5"
+
+    def test_a_scene_asks_for_stresses_in_its_body_where_its_strip_is(self):
+        f, kernel = self.folder, self.kernel()
+        asked = '[strip]\nrail_s0 = %s\n[stresses]\nin = "bodies"\ns = [0.1, 0.3]\ndepths = [0.4, 1, 4]\n'
+        in_body = f'rail.influence = "{kernel}"\n' + SCENE + asked
+        (f / "points.csv").write_text("s,depth\n" + "".join(f"{s},{depth}\n" for s in (0.7, 0.9) for depth in (0.4, 1, 4)))
+        for shift in (0, 0.6):
+            (f / "asks.toml").write_text(in_body % shift)
+            said = self.call_ok("solve", f / "asks.toml", "-o", f / "asks.h5")
+            self.assertIn("in the rail (block", said)
+            answer = json.loads(self.call_ok("solve", f / "asks.toml", "--json"))["stresses"]
+            rail = answer["rail"]
+            self.assertAlmostEqual(rail["s"][0], shift + 0.1, delta=1e-9)
+            flat, body = (max(max(max(line) for line in plane) for plane in values) for values in (answer["von_mises"], rail["von_mises"]))
+            self.assertNotEqual(flat, body)
+            self.assertAlmostEqual(body / flat, 1, delta=0.05)
+        by_command = self.patches("stresses", f / "asks.h5", "--body", kernel, "--points", f / "points.csv")[0]
+        self.assertAlmostEqual(by_command["s"], 0.8, delta=1e-9)
+        self.assertGreater(by_command["von_mises"], 0.98 * body)  # at more places along x, below the same points
+        passed = self.patches("shakedown", f / "asks.toml", "--body", kernel)[0]
+        self.assertAlmostEqual(passed["s"], 0.6, delta=0.05)  # the place on the body's own arc length
+
+    def test_fatigue_takes_what_lies_below_the_surface_from_the_body(self):
+        f, kernel = self.folder, self.kernel()
+        cases = "[sweep]\nload.force = [600, 1000]\nweight = [1, 3]\n"
+        (f / "weights.toml").write_text(SCENE + f'[fatigue]\nyield_shear = 250\nbody = "{kernel}"\n' + cases)
+        (f / "flat.toml").write_text(SCENE + cases)
+        flat, body = (json.loads(self.call_ok("fatigue", f / name, "--yield-shear", 250, "--json")) for name in ("flat.toml", "weights.toml"))
+        limits = self.patches("shakedown", f / "flat.toml", "--body", kernel, "--yield-shear", 250)
+        for without, inside, limit in zip(flat["patches"], body["patches"], limits):
+            self.assertEqual(without["FI_surf"], inside["FI_surf"])
+            self.assertEqual(without["damage"], inside["damage"])
+            self.assertAlmostEqual(inside["shakedown"], limit["shakedown"], delta=1e-9)
+            self.assertAlmostEqual(inside["p0_over_k_limit"], inside["shakedown"] * inside["p0_over_k"], delta=1e-9)
+            self.assertAlmostEqual(inside["halfspace_von_mises"] / without["von_mises"], 1, delta=0.05)  # by points, and by a search
+            self.assertNotEqual(inside["von_mises"], inside["halfspace_von_mises"])
+        self.assertIn("shakedown factor", body["found"][0])
+        self.assertNotIn("shakedown factor", flat["found"][0])
+        self.call_ok("study", f / "weights.toml", "-o", f / "weights")
+        self.assertIn("the steel yields", (f / "weights" / "study.html").read_text())
+        done = self.call("fatigue", f / "flat.toml", "--body", programs.ROOT / "data/influence/small_rail.h5")
+        self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+        self.assertIn("has no stresses of the inside", done.stderr)
+
     def test_what_cannot_be_answered_is_refused(self):
         f = self.folder
         (f / "sweep.toml").write_text(SCENE + "[sweep]\nload.force = [500, 1000]\n")

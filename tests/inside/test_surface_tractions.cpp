@@ -42,6 +42,14 @@ TEST(SurfaceTractions, OfTheRailAreThoseOfTheFile) {
   EXPECT_NEAR(t.force()[component_n], 33 * 0.2, 1e-12);
 }
 
+/// A patch given directly has its own s; where it lies on the body, its rows say apart.
+TEST(SurfaceTractions, OfAPatchLieWhereItsStripDoes) {
+  record::Record patch = result();
+  patch.add("rail_s", record::field({11.8, 12.2}, "mm", ""));
+  EXPECT_EQ(read_tractions(patch, Side::rail).s, (std::vector<double>{11.8, 12.2}));
+  EXPECT_NEAR(read_tractions(patch, Side::wheel).s[0], 34.005, 1e-12);
+}
+
 /// Turned by pi about x, and with the other sign: pressure stays pressure. Rows are as wide as on the rail.
 TEST(SurfaceTractions, OfTheWheelAreTurned) {
   const SurfaceTractions t = read_tractions(result(), Side::wheel);

@@ -1,5 +1,9 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/stress_kernel_file.hpp"
 #include "bem_contact/sequence/sequence.hpp"
+#include "tests/base/message.hpp"
+#include "tests/base/temporary_folder.hpp"
+#include "tests/halfspace/strip_kernel.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +15,7 @@
 namespace {
 
 using namespace bem_contact;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 const std::string materials = "[rail.material]\nshear_modulus = 80769.230769\npoisson = 0.3\n"
@@ -112,7 +117,99 @@ TEST(StressesBelow, AreRefusedAtTheSurfaceAndInMillions) {
   asked.x.assign(2000, 0);
   asked.s.assign(2000, 0);
   asked.depths = {1};
-  EXPECT_THROW(stresses_below(asked, {}, {}, 0.3, 0), InputError);
+  EXPECT_THROW(stresses_below(asked, {}, 0), InputError);
+}
+
+/// Half-spaces as influence files that have stresses: what a body has more is the same everywhere, ss =
+/// `more` (MPa) for each N/mm2 of the load over a whole period.
+class StressesInBodies : public testing::Test {
+protected:
+  static constexpr int stations = 33;
+  static constexpr double width = 0.5, half_period = 600;
+
+  static StressKernel kernel(double more) {
+    StressKernel out;
+    constexpr int places = 45;
+    for (int i = 0; i < places; ++i) {
+      const double s = (i - 22) * width;
+      out.places.push_back({s, {s, 0}, 0});
+    }
+    out.depths = {0.75, 1.5, 3};
+    out.there.assign(places * out.depths.size(), 1);
+    StressForm& form = out.remainder;
+    form.wavenumber = sampled_wavenumbers(half_period, 1, 4);
+    for (std::size_t d = 0; d < out.depths.size(); ++d) {
+      form.left_rank.push_back(1);
+      form.right_rank.push_back(1);
+      for (int i = 0; i < 6 * places; ++i)
+        form.left.push_back(i % 6 == 1 ? float(1 / std::sqrt(double(places))) : 0);
+      for (int i = 0; i < 3 * stations; ++i)
+        form.right.push_back(i % 3 == 2 ? float(1 / std::sqrt(double(stations))) : 0);
+    }
+    form.core.assign(form.wavenumber.size() * out.depths.size(), 0); // the mean alone
+    for (std::size_t d = 0; d < out.depths.size(); ++d)
+      form.core[d] = float(more * 2 * half_period * std::sqrt(double(places * stations)));
+    return out;
+  }
+  void write(const char* name, const StressKernel& stresses) {
+    write_influence_file(folder_ / name, halfspace_function({80769.230769, 0.3}, stations, width, 1),
+                         stresses);
+  }
+  SceneFile scene(const std::string& stresses, const std::string& bodies) {
+    return parse_scene_file(SceneText{"kind = \"patch\"\nload.force = 1000\nmotion.frictionless = true\n"
+                                      "solver.model = \"halfspace\"\n" +
+                                          bodies + materials +
+                                          "[grid]\ndx = 0.04\nds = 0.04\nmx = 40\nms = 40\n[gap]\na = 0.01\n"
+                                          "b = 0.01\n[stresses]\nin = \"bodies\"\n" +
+                                          stresses,
+                                      "scene", folder_.path()});
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(StressesInBodies, AreThoseOfTheHalfspaceAndWhatTheFilesSay) {
+  write("rail.h5", kernel(0.01));
+  write("wheel.h5", kernel(0.02));
+  const SceneResult r = Sequence().solve(scene(
+      "x = [0, 0.4]\ns = [0, 0.3]\ndepths = [0.2, 1, 2.5]\n",
+      "rail.influence = \"rail.h5\"\nwheel.influence = \"wheel.h5\"\n[strip]\nrail_s0 = 2\nwheel_s0 = -1\n"));
+  ASSERT_TRUE(r.stresses);
+  ASSERT_EQ(r.stresses->bodies.size(), 2U);
+  const StressesInBody &rail = r.stresses->bodies[0], &wheel = r.stresses->bodies[1];
+  EXPECT_EQ(rail.side, inside::Side::rail);
+  EXPECT_EQ(wheel.side, inside::Side::wheel);
+  EXPECT_THAT(rail.s, testing::ElementsAre(testing::DoubleNear(2, 1e-9), testing::DoubleNear(2.3, 1e-9)));
+  EXPECT_THAT(wheel.s, testing::ElementsAre(testing::DoubleNear(-1, 1e-9), testing::DoubleNear(-1.3, 1e-9)));
+  const double pressed = 1000 / width; // sum over the stations of what presses on a mm of each
+  ASSERT_EQ(rail.in_body.stress.size(), 12U);
+  for (std::size_t i = 0; i < rail.in_body.stress.size(); ++i) {
+    const halfspace::Stress &flat = r.stresses->stress[i], &of_rail = rail.in_body.stress[i],
+                            &of_wheel = wheel.in_body.stress[i];
+    EXPECT_NEAR(rail.halfspace.stress[i].ss, flat.ss, 1e-6);
+    EXPECT_NEAR(wheel.halfspace.stress[i].nn, flat.nn, 1e-6) << "opposite, and the same by symmetry";
+    EXPECT_NEAR(of_rail.ss - flat.ss, 0.01 * pressed, 1e-3);
+    EXPECT_NEAR(of_wheel.ss - flat.ss, 0.02 * pressed, 1e-3);
+    EXPECT_NEAR(of_rail.nn, flat.nn, 1e-3);
+    EXPECT_NEAR(rail.in_body.von_mises[i], von_mises(of_rail), 1e-12);
+  }
+  EXPECT_EQ(rail.error.size(), 6U);
+  EXPECT_THAT(r.warnings.kinds(), testing::Not(testing::Contains("rough_stresses")));
+}
+
+TEST_F(StressesInBodies, AreRefusedBeforeAnythingIsSolved) {
+  write("rail.h5", kernel(0.01));
+  write("bare.h5", {});
+  const auto refused = [&](const std::string& depths, const std::string& bodies) {
+    return message_of([&] { Sequence().solve(scene("depths = [" + depths + "]\n", bodies)); });
+  };
+  EXPECT_THAT(
+      refused("1", "rail.influence = \"bare.h5\"\n"),
+      AllOf(HasSubstr("has no stresses of the inside"), HasSubstr("fem_influence BODY.toml BODY.msh")));
+  EXPECT_THAT(refused("1", "rail.influence = \"rail.h5\"\nwheel.influence = \"bare.h5\"\n"),
+              HasSubstr("bare.h5"));
+  EXPECT_THAT(refused("1, 4", "rail.influence = \"rail.h5\"\n"), HasSubstr("to a depth of 3 mm"));
+  EXPECT_THAT(refused("1", ""), AllOf(HasSubstr("stresses.in"), HasSubstr("none is given")));
 }
 
 } // namespace

@@ -243,7 +243,7 @@ def not_validated(page):
         numbers of the influence matrices.""",
                "Influence files: each states its own error, 1 to 5 times the true one on 84 files (fem_influence/ERRORS.md).",
                """Stresses below a curved surface use half-space formulas from the tractions found; a warning says where the
-        surface is too curved.""")
+        surface is too curved. `stresses.in = "bodies"` takes those of the real bodies, with the error of their finite elements.""")
     page.heading("7 What is not validated")
     page.items("**Measurements**: creep forces of one locomotive, and the shape of one curve of a roller rig "
                "([VALIDATION.md](VALIDATION.md)). No ultrasonic or pressure-film contact patch, no wear.",

@@ -1,6 +1,7 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/print_answer.hpp"
+#include "bem_contact/app/scene_options.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -13,10 +14,14 @@
 #include "bem_contact/uses/sweep/sweep_inputs.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <thread>
+#include <vector>
 
 namespace bem_contact::app {
 
@@ -32,7 +37,7 @@ You should see how many patches lie beyond the shakedown limits of the surface a
 More, and how to draw it: data/tutorial/fatigue.md.)";
 
 struct FatigueArguments {
-  std::string scene, csv, output;
+  std::string scene, csv, output, body;
   bool json = false;
   fatigue::FatigueProperties properties;
 };
@@ -49,20 +54,27 @@ ExitCode run(const FatigueArguments& arguments) {
   const SceneText text = read_scene_text(arguments.scene);
   const SweepFile sweep = has_sweep(text) ? parse_sweep_file(text) : SweepFile{text}; // one case
   check_values(sweep);
-  require_named_outputs(files_read(arguments.scene, sweep),
+  std::vector<std::filesystem::path> inputs = files_read(arguments.scene, sweep);
+  inputs.push_back(arguments.body);
+  require_named_outputs(inputs,
                         {{"--output", arguments.output, OutputForm::whole_file}, {"--csv", arguments.csv}});
-  const fatigue::CollectiveFatigue table = fatigue_of(sweep, arguments.properties);
+  fatigue::FatigueProperties properties = arguments.properties;
+  properties.body = arguments.body;
+  const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const fatigue::CollectiveFatigue table = fatigue_of(sweep, properties, nullptr, threads);
   const auto write = [&](std::ostream& out) {
-    record::write_csv(out, record::table_of("patch", fatigue::collective_columns(), table.patches), 8);
+    record::write_csv(
+        out, record::table_of("patch", fatigue::collective_columns(!properties.body.empty()), table.patches),
+        8);
   };
   if (!arguments.output.empty())
     record::write_hdf5(arguments.output, headed(fatigue_format, given_sweep(sweep, ""), arguments.output)
-                                             .append(record_of(table, arguments.properties)));
+                                             .append(record_of(table, properties)));
   if (!arguments.csv.empty())
     write_text(arguments.csv, write);
   if (!arguments.json && arguments.csv.empty() && arguments.output.empty())
     write(std::cout);
-  print_answer(headed(fatigue_format).append(record_of(table, arguments.properties)), arguments.json,
+  print_answer(headed(fatigue_format).append(record_of(table, properties)), arguments.json,
                summary_of(table));
   return success;
 }
@@ -84,6 +96,11 @@ Command add_fatigue(CLI::App& program) {
   line->add_option("--damage", a.properties.damage.damage, "Damage of one passage at each of these");
   line->add_flag("--wear-is-negative", a.properties.damage.wear_is_negative,
                  "Above the last node the damage goes on below zero");
+  line->add_option(
+          "--body", a.body,
+          "Influence file (HDF5) with stresses, or body file (TOML, by mesh_body and fem_influence), "
+          "of the rail or the wheel: stresses and shakedown limit below the surface are those in it")
+      ->type_name(file_option);
   line->footer(fatigue_help);
   return {line, [arguments] { return run(*arguments); }};
 }

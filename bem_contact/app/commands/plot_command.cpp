@@ -31,6 +31,7 @@ wheelset     wheelset -o      both wheels
 table        table -o         interpolation errors beside the tolerance; forces over the axes
 FOLDER       wear -o          what is gone from both profiles by step, depth and area over mileage
 fatigue      fatigue -o, --csv  shakedown diagram, FI_surf, stresses below, damage
+stresses     stresses -o      a section of the body, beside it that of a half-space, and both over the depth
 profile      you, profile --csv  the profile and its curvature; more profiles behind the first
 BODY.toml    you              its mesh, the strip, the held part, and how good the worst element is
 mesh .msh    mesh_body -o     the same

@@ -3,6 +3,7 @@
 #include "bem_contact/base/counted.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace bem_contact::app {
@@ -25,14 +26,29 @@ std::string stresses_text(const std::optional<StressesBelow>& stresses) {
   if (!stresses || stresses->largest_shear.empty())
     return "";
   const StressesBelow& b = *stresses;
-  const auto at =
-      static_cast<std::size_t>(std::ranges::max_element(b.largest_shear) - b.largest_shear.begin());
   const std::size_t nd = b.depths.size(), ns = b.s.size();
-  return fmt::format(
-      "below the surface: largest shear stress {:.1f} MPa (von Mises {:.1f}) at x = {:g}, s = {:g}, "
-      "depth {:g} mm, of {}\n",
-      b.largest_shear[at], b.von_mises[at], b.x[at / nd / ns], b.s[at / nd % ns], b.depths[at % nd],
-      counted(b.largest_shear.size(), "point", "points"));
+  const auto largest = [](const StressField& f) { // nan: the body is not there
+    const auto known = [](double stress) { return std::isnan(stress) ? -1 : stress; };
+    return static_cast<std::size_t>(std::ranges::max_element(f.largest_shear, {}, known) -
+                                    f.largest_shear.begin());
+  };
+  const auto line = [&](const StressField& f, const std::string& error, std::size_t at,
+                        const std::vector<double>& s) {
+    return fmt::format(
+        "largest shear stress {:.1f}{} MPa (von Mises {:.1f}) at x = {:g}, s = {:g}, depth {:g} mm",
+        f.largest_shear[at], error, f.von_mises[at], b.x[at / nd / ns], s[at / nd % ns], b.depths[at % nd]);
+  };
+  std::string out = fmt::format("below the surface: {}, of {}\n", line(b, "", largest(b), b.s),
+                                counted(b.largest_shear.size(), "point", "points"));
+  for (const StressesInBody& body : b.bodies) {
+    const std::size_t at = largest(body.in_body), flat = largest(body.halfspace);
+    const std::string error = fmt::format(" +- {:.2g}", body.error[at % (ns * nd)]);
+    out += fmt::format("in the {} ({}): {}; a half-space has {:.1f} MPa: the body {:+.1f} %\n",
+                       name_of(body.side), body.body, line(body.in_body, error, at, body.s),
+                       body.halfspace.largest_shear[flat],
+                       100 * (body.in_body.largest_shear[at] / body.halfspace.largest_shear[flat] - 1));
+  }
+  return out;
 }
 
 std::string structure_text(const std::optional<StructuralResult>& structure) {

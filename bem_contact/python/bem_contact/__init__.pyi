@@ -315,6 +315,7 @@ def fatigue(
     nodes: _List[float] = ...,
     damage: _List[float] = ...,
     stresses: bool = True,
+    body: str | None = None,
 ) -> dict[str, Any]:
     """Shakedown point, FI_surf, T-gamma and damage of each patch; largest stresses below the surface."""
 
@@ -326,6 +327,7 @@ def fatigue(
     damage: _List[float] = ...,
     wear_is_negative: bool = False,
     folder: str | PathLike[str] | None = None,
+    body: str | None = None,
 ) -> dict[str, Any]:
     """The same of each case of a table [sweep], a dict for each patch of all cases, and the damage of the collective."""
 

@@ -62,7 +62,7 @@ std::shared_ptr<InfluenceFile> read_side(const Body& body) {
   return file;
 }
 
-bool inside(const InfluenceFile& file, double s, double ds) {
+bool on_strip(const InfluenceFile& file, double s, double ds) {
   const auto [from, to] = file.strip().ends();
   return s - row_on_strip * ds >= from && s + row_on_strip * ds <= to;
 }
@@ -315,7 +315,7 @@ std::pair<int, int> covered_rows(const std::vector<RowsOnStrip>& strips, double 
   std::vector<char> good(rows, 1);
   for (const RowsOnStrip& on : strips)
     for (std::size_t i = 0; i < on.s.size(); ++i)
-      good[on.first + i] = good[on.first + i] && inside(*on.file, on.s[i], ds);
+      good[on.first + i] = good[on.first + i] && on_strip(*on.file, on.s[i], ds);
   const auto first = std::ranges::find(good, 1);
   const auto last = std::find(good.rbegin(), good.rend(), 1);
   return {static_cast<int>(first - good.begin()), static_cast<int>(good.rend() - last) - 1};

@@ -48,4 +48,10 @@ PairFiles SequenceFiles::influence(const Body& rail, const Body& wheel) {
       [&] { return read_pair_files(rail, wheel); }, size_of_files, most_megabytes_);
 }
 
+std::shared_ptr<const inside::FileOfStresses> SequenceFiles::stresses(const std::filesystem::path& file) {
+  return take(
+      stresses_, file, [&] { return std::make_shared<const inside::FileOfStresses>(file); },
+      [](const auto&) { return 1.0; }, static_cast<double>(files_of_stresses_kept));
+}
+
 } // namespace bem_contact

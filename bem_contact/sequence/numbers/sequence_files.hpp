@@ -1,11 +1,13 @@
 #pragma once
 
+#include "bem_contact/inside/stresses_by_file.hpp"
 #include "bem_contact/scene/contact_setup.hpp"
 #include "bem_contact/sequence/numbers/pair_numbers.hpp"
 #include "bem_contact/sequence/numbers/settings.hpp"
 
 #include <cstddef>
 #include <deque>
+#include <memory>
 #include <utility>
 
 namespace bem_contact {
@@ -22,6 +24,8 @@ public:
 
   WheelRailProfiles profiles(const SceneFile& scene);
   PairFiles influence(const Body& rail, const Body& wheel);
+  /// Throws InputError where the file has no stresses.
+  std::shared_ptr<const inside::FileOfStresses> stresses(const std::filesystem::path& file);
 
 private:
   struct ProfileSources {
@@ -41,6 +45,8 @@ private:
   double most_megabytes_;
   std::deque<std::pair<ProfileSources, WheelRailProfiles>> profiles_; ///< used last: in front
   std::deque<std::pair<InfluenceSources, PairFiles>> influence_;      ///< used last: in front
+  std::deque<std::pair<std::filesystem::path, std::shared_ptr<const inside::FileOfStresses>>>
+      stresses_; ///< used last: in front
 };
 
 } // namespace bem_contact

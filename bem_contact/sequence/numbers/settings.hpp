@@ -17,6 +17,9 @@ BEM_CONTACT_TUNED(double, largest_kept_numbers, 200.0);
 BEM_CONTACT_TUNED(double, largest_kept_files, 2000.0);
 BEM_CONTACT_TUNED(int, profiles_kept, 100); ///< 1. Pairs of profiles that are kept: 0.5 MB each. Chosen.
 
+/// 1. Influence files whose stresses of the inside are kept: those of a pair. One has up to 200 MB.
+BEM_CONTACT_TUNED(int, files_of_stresses_kept, 2);
+
 // Influence functions.
 
 /// 1 (rows). How much of a row must lie on the strip of an influence file, on either side of its middle: rows

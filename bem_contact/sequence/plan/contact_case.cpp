@@ -55,16 +55,34 @@ void require_roller(const InfluenceStrip& rail, const WheelOnRail& pair) {
                      "Give the profile as it stands on its roller, without an inclination.");
 }
 
-/// Throws InputError where the influence files are of other bodies than those that are placed.
-void require_bodies(const PairFiles& files, const WheelOnRail& pair, bool own_shape) {
-  if (files.rail && own_shape)
-    require_profile(files.rail->strip(), pair.rail.name(), pair.rail.digest());
-  if (files.wheel && own_shape)
-    require_profile(files.wheel->strip(), pair.wheel.name(), pair.wheel.digest());
-  if (files.rail)
-    require_roller(files.rail->strip(), pair);
-  if (files.wheel)
-    require_radius(files.wheel->strip(), pair.wheel_radius);
+/// Throws InputError where influence files (null: none) are of other bodies than those that are placed.
+void require_bodies(const InfluenceStrip* rail, const InfluenceStrip* wheel, const WheelOnRail& pair,
+                    bool own_shape) {
+  if (rail && own_shape)
+    require_profile(*rail, pair.rail.name(), pair.rail.digest());
+  if (wheel && own_shape)
+    require_profile(*wheel, pair.wheel.name(), pair.wheel.digest());
+  if (rail)
+    require_roller(*rail, pair);
+  if (wheel)
+    require_radius(*wheel, pair.wheel_radius);
+}
+
+/// The stresses of the bodies that have a file. Before anything is solved: who asks for them waits for them.
+void add_files_of_stresses(ContactCase& asked, SequenceFiles& files) {
+  const auto read = [&](const Body& body) {
+    std::shared_ptr<const inside::FileOfStresses> out;
+    if (!body.influence.empty()) {
+      out = files.stresses(body.influence);
+      require_material(out->strip, body.material);
+    }
+    return out;
+  };
+  asked.rail_inside = read(asked.setup.rail);
+  asked.wheel_inside = read(asked.setup.wheel);
+  if (const WheelRailGeometry* placed = asked.setup.wheel_rail())
+    require_bodies(asked.rail_inside ? &asked.rail_inside->strip : nullptr,
+                   asked.wheel_inside ? &asked.wheel_inside->strip : nullptr, placed->pair, asked.own_shape);
 }
 
 /// Throws InputError where more elements are asked for than the model serves.
@@ -145,6 +163,8 @@ ContactCase prepare_case(const SceneFile& scene, SequenceFiles& files, PrepareOp
                   nullptr,
                   options.own_shape,
                   options.lateral_force};
+  if (scene.stresses.asks_for_bodies())
+    add_files_of_stresses(out, files);
   if (!patch)
     out.estimate =
         std::make_shared<const ContactEstimate>(estimate_contact(out.setup, options.foresee_shear));
@@ -158,7 +178,8 @@ ContactCase with_influence(ContactCase asked, SequenceFiles& files) {
     return asked;
   asked.files = files.influence(asked.setup.rail, asked.setup.wheel);
   if (const WheelRailGeometry* placed = asked.setup.wheel_rail())
-    require_bodies(asked.files, placed->pair, asked.own_shape);
+    require_bodies(asked.files.rail ? &asked.files.rail->strip() : nullptr,
+                   asked.files.wheel ? &asked.files.wheel->strip() : nullptr, placed->pair, asked.own_shape);
   return asked;
 }
 

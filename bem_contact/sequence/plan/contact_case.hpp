@@ -16,6 +16,8 @@ struct ContactCase {
   std::shared_ptr<const ContactEstimate> estimate; ///< of a wheel on a rail
   bool own_shape = true;                           ///< influence files must be of the scene's own profiles
   bool lateral_force = false; ///< the lateral displacement is found for a force, and not given
+  /// Stresses of the bodies that the scene asks for; null: of this body none.
+  std::shared_ptr<const inside::FileOfStresses> rail_inside = nullptr, wheel_inside = nullptr;
 };
 
 struct PrepareOptions {

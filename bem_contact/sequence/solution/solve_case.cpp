@@ -12,6 +12,7 @@
 #include "bem_contact/sequence/patch_places.hpp"
 #include "bem_contact/sequence/plan/model_choice.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
+#include "bem_contact/sequence/solution/case_stresses.hpp"
 #include "bem_contact/sequence/solution/derivatives_of.hpp"
 #include "bem_contact/sequence/solution/grow_grid.hpp"
 #include "bem_contact/sequence/solution/layer_slope.hpp"
@@ -66,22 +67,6 @@ void warn_of_slide(const ContactCase& asked, GridSolution& solved) {
                     asked.setup.wheel_rail()
                         ? "solver.structural_motion = \"placed\" lets them follow a steady contact"
                         : "forces and approach may be some percent off"));
-}
-
-void add_stresses(const SceneFile& scene, SceneResult& out) {
-  if (scene.stresses.depths.empty() || !out.result.certified())
-    return;
-  out.stresses = stresses_below(scene.stresses, out.problem, out.result, out.bodies.rail_poisson,
-                                out.motion.reference.s);
-  const double turn = turn_of_contact(out.problem, out.result);
-  if (const double error = predicted_halfspace_error(turn); error > scene.solver.model_tolerance)
-    out.warnings.add(
-        WarningKind::rough_stresses,
-        fmt::format(
-            "the stresses below the surface are those of a half-space under these tractions: an "
-            "approximation here, for the normal turns by {:.1f} degrees within the patch, and they may "
-            "be off by up to {:.1f} %",
-            degrees(turn), 100 * error));
 }
 
 /// SceneResult::contact_radius: radius_at() is linear, so that its mean is that of the mean place; but on an
@@ -203,14 +188,17 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   }
   add_creepages(asked.setup, out);
   out.moment = moment_about(out.motion.reference, out.result);
-  if (asked.setup.wheel_rail() || has_influence_files_of_both(asked))
+  const bool on_files = has_influence_files_of_both(asked) || asked.rail_inside || asked.wheel_inside;
+  if (asked.setup.wheel_rail() || on_files)
     out.bodies.wheel_s = std::move(solved.contact.wheel_s);
+  if (asked.setup.patch() && on_files)
+    out.bodies.rail_s = std::move(solved.contact.rail_s);
   Outlines bodies = outlines(asked.setup, out.problem);
   out.bodies.rail_profile = std::move(bodies.rail);
   out.bodies.wheel_profile = std::move(bodies.wheel);
   warn_of_discretisation(out.result, out.warnings);
   out.warnings.add(result_warnings(asked, out));
-  add_stresses(asked.scene, out);
+  add_stresses(asked, out);
   if (const WheelRailGeometry* placed = asked.setup.wheel_rail(); placed && placed->pair.sections)
     in_track_frame(placed->pair, out);
   return out;

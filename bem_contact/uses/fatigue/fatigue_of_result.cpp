@@ -6,12 +6,15 @@
 #include "bem_contact/sequence/load_collective.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
+#include "bem_contact/uses/fatigue/settings.hpp"
 #include "bem_contact/uses/fatigue/shakedown.hpp"
+#include "bem_contact/uses/shakedown/shakedown_in_body.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace bem_contact::fatigue {
@@ -93,9 +96,10 @@ std::vector<double> index_of_elements(const ContactResult& r, double yield_shear
 
 } // namespace
 
-Fatigue fatigue_of(const SceneResult& solved, const FatigueProperties& properties) {
-  require_yield_shear(properties.yield_shear);
-  validate(properties.damage);
+namespace {
+
+/// Without the body's part.
+Fatigue of_surface(const SceneResult& solved, const FatigueProperties& properties) {
   const ContactResult& r = solved.result;
   require_certified(solved);
   const bool power = solved.problem.motion != MotionKind::shift; // it is work by area there
@@ -109,39 +113,81 @@ Fatigue fatigue_of(const SceneResult& solved, const FatigueProperties& propertie
         largest = std::max(largest, out.element_index[i]);
     out.patches.push_back(fatigue_of_patch(r.patches[k], largest, power, properties));
   }
-  if (properties.stresses && !out.patches.empty())
-    out.peaks = stress_peaks(solved.problem, r, solved.bodies.rail_poisson);
   return out;
+}
+
+bool is_worse(const shakedown::PatchShakedown& a, const std::optional<shakedown::PatchShakedown>& b) {
+  return !b || a.lower.value < b->lower.value;
+}
+
+void add_body(const SceneResult& solved, const inside::StressesInside& stresses,
+              const FatigueProperties& properties, Fatigue& out) {
+  const ContactGrid& grid = solved.problem.grid;
+  const double depth = least_depth * std::min(grid.dx, grid.ds);
+  if (properties.stresses && !out.patches.empty()) {
+    out.peaks = stress_peaks(stresses, false, depth);
+    out.halfspace_peaks = stress_peaks(stresses, true, depth);
+  }
+  shakedown::Shakedown found = shakedown::shakedown_of(stresses, {.yield_shear = properties.yield_shear});
+  const std::vector<std::size_t> told = shakedown::patches_told(solved);
+  for (std::size_t i = 0; i < found.patches.size(); ++i) {
+    shakedown::PatchShakedown& p = found.patches[i];
+    PatchFatigue& patch = out.patches.at(told.at(i));
+    patch.shakedown = p.lower.value;
+    patch.shakedown_upper = p.upper.value;
+    patch.limit_below = p.limit_pressure();
+    p.maps = {};
+    if (is_worse(p, out.worst))
+      out.worst = std::move(p);
+  }
+}
+
+/// Of each result, in their order.
+std::vector<Fatigue> fatigue_of_all(std::span<const SceneResult> results, const FatigueProperties& properties,
+                                    int threads) {
+  std::vector<Fatigue> out;
+  for (const SceneResult& solved : results)
+    out.push_back(of_surface(solved, properties));
+  if (!properties.body.empty())
+    shakedown::for_each_in_body(results, properties.body, threads,
+                                [&](std::size_t i, const inside::StressesInside& stresses) {
+                                  add_body(results[i], stresses, properties, out[i]);
+                                });
+  else if (properties.stresses)
+    for (std::size_t i = 0; i < out.size(); ++i)
+      if (!out[i].patches.empty())
+        out[i].peaks = stress_peaks(results[i].problem, results[i].result, results[i].bodies.rail_poisson);
+  return out;
+}
+
+} // namespace
+
+Fatigue fatigue_of(const SceneResult& solved, const FatigueProperties& properties) {
+  require_yield_shear(properties.yield_shear);
+  validate(properties.damage);
+  return std::move(fatigue_of_all({&solved, 1}, properties, 1).front());
 }
 
 namespace {
 
-/// Of PatchFatigue and of what is derived from it.
-template <class P>
-constexpr std::array<ColumnOf<P>, 11> columns_of{
-    {{"s", "mm", "centre of pressure, arc length along the rail", [](const P& p) { return p.s; }},
-     {"y", "mm", "centre of pressure, track frame", [](const P& p) { return p.y; }},
-     {"Fn", "N", "sum of the pressure", [](const P& p) { return p.normal_force; }},
-     {"pmax", "MPa", "largest pressure", [](const P& p) { return p.pmax; }},
-     {"p0_over_k", "1", "largest pressure over the yield stress in shear",
-      [](const P& p) { return p.point.load; }},
-     {"mu_used", "1", "shear force over normal force", [](const P& p) { return p.point.traction; }},
-     {"FI_surf", "1", "mu used less k/p0: above 0 the surface fatigues",
-      [](const P& p) { return p.surface_index; }},
-     {"FI_worst_element", "1", "the same of the worst element", [](const P& p) { return p.largest_index; }},
-     {"p0_over_k_limit", "1", "shakedown limit below the surface with this mu used, of a long contact",
-      [](const P& p) { return p.limit_below; }},
-     {"T_gamma", "N", "dissipated by friction by rolled distance", [](const P& p) { return p.t_gamma; }},
-     {"damage", "1", "of one passage", [](const P& p) { return p.damage; }}}};
+void add_case(const SweepFile& sweep, std::size_t index, const Fatigue& f, CollectiveFatigue& out) {
+  const double along = place_of_case(sweep, index), weight = sweep.weight(index);
+  std::size_t number = 0;
+  for (const PatchFatigue& patch : f.patches) {
+    out.patches.push_back({patch, index, ++number, weight, along, f.peaks.value_or(StressPeaks{}),
+                           f.halfspace_peaks.value_or(StressPeaks{})});
+    out.beyond_surface += patch.beyond_surface();
+    out.beyond_below += patch.beyond_below() && !patch.beyond_surface();
+    out.damage += weight * patch.damage;
+  }
+  if (f.worst && is_worse(*f.worst, out.worst))
+    out.worst = f.worst;
+}
 
 } // namespace
 
-std::span<const ColumnOf<PatchFatigue>> patch_columns() {
-  return columns_of<PatchFatigue>;
-}
-
 CollectiveFatigue fatigue_of(const SweepFile& sweep, const FatigueProperties& properties,
-                             const std::atomic<bool>* stop) {
+                             const std::atomic<bool>* stop, int threads) {
   require_yield_shear(properties.yield_shear);
   validate(properties.damage);
   if (sweep.first_scene().wheelset.force)
@@ -151,76 +197,21 @@ CollectiveFatigue fatigue_of(const SweepFile& sweep, const FatigueProperties& pr
         "Let bem_contact study put one wheel in its place, or give load.force instead of [wheelset].");
   CollectiveFatigue out;
   out.cases = sweep.size();
+  const std::size_t at_once = properties.body.empty() ? 1 : shakedown::most_cases_in_body;
   Sequence sequence({.displacements = false});
   double weights = 0;
-  for (std::size_t i = 0; i < sweep.size(); ++i) {
-    const SceneResult result = solve_of_collective(sequence, sweep, i, stop);
-    const Fatigue f = fatigue_of(result, properties);
-    const double along = place_of_case(sweep, i);
-    std::size_t number = 0;
-    for (const PatchFatigue& patch : f.patches) {
-      out.patches.push_back({patch, i, ++number, sweep.weight(i), along, f.peaks.value_or(StressPeaks{})});
-      out.beyond_surface += patch.beyond_surface();
-      out.beyond_below += patch.beyond_below() && !patch.beyond_surface();
-      out.damage += sweep.weight(i) * patch.damage;
+  for (std::size_t from = 0; from < sweep.size(); from += at_once) {
+    std::vector<SceneResult> results;
+    for (std::size_t i = from; i < std::min(from + at_once, sweep.size()); ++i)
+      results.push_back(solve_of_collective(sequence, sweep, i, stop));
+    const std::vector<Fatigue> found = fatigue_of_all(results, properties, threads);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      add_case(sweep, from + i, found[i], out);
+      weights += sweep.weight(from + i);
     }
-    weights += sweep.weight(i);
   }
   out.damage /= weights;
   return out;
-}
-
-std::span<const ColumnOf<CollectivePatch>> collective_columns() {
-  using P = CollectivePatch;
-  static const std::vector<ColumnOf<P>> columns = [] {
-    std::vector<ColumnOf<P>> all = columns_of_case<P>();
-    all.insert(all.end(), columns_of<P>.begin(), columns_of<P>.end());
-    all.insert(
-        all.end(),
-        {{"von_mises", "MPa", "largest below the surface of the case",
-          [](const P& p) { return p.peaks.von_mises.stress; }},
-         {"von_mises_depth", "mm", "where that is", [](const P& p) { return p.peaks.von_mises.depth; }},
-         {"tresca", "MPa", "largest shear stress below the surface of the case",
-          [](const P& p) { return p.peaks.tresca.stress; }},
-         {"tresca_depth", "mm", "where that is", [](const P& p) { return p.peaks.tresca.depth; }}});
-    return all;
-  }();
-  return columns;
-}
-
-record::Record record_of(const Fatigue& f, const ContactGrid& grid) {
-  using record::Number;
-  const auto peak = [](const StressPeak& p, const char* meaning) {
-    return record::Record{{"stress", Number{p.stress, "MPa", meaning}},
-                          {"x", Number{p.x, "mm", "where that is, rolling direction"}},
-                          {"s", Number{p.s, "mm", "where that is, arc length along the rail"}},
-                          {"depth", Number{p.depth, "mm", "where that is, below the surface"}}};
-  };
-  record::Record out{{"FI", record::Field{"1",
-                                          "mu used less k/p0 of each element; -0.5 outside the contact",
-                                          {std::size_t(grid.ms), std::size_t(grid.mx)},
-                                          f.element_index}},
-                     {"patches", record::as_rows(record::table_of("patch", patch_columns(), f.patches))}};
-  if (f.peaks)
-    out.add("von_mises", peak(f.peaks->von_mises, "largest below the surface"))
-        .add("tresca", peak(f.peaks->tresca, "largest shear stress below the surface"));
-  return out;
-}
-
-record::Record record_of(const CollectiveFatigue& f, const FatigueProperties& properties) {
-  using record::Number;
-  return {
-      {"cases", Number{double(f.cases), "1", "of the collective", {}, true}},
-      {"beyond_surface_limit",
-       Number{double(f.beyond_surface), "1", "patches beyond the shakedown limit of the surface", {}, true}},
-      {"beyond_limit_below", Number{double(f.beyond_below),
-                                    "1",
-                                    "other patches beyond the shakedown limit below the surface",
-                                    {},
-                                    true}},
-      {"damage", Number{f.damage, "1", "of one passage, mean over the collective"}},
-      {"yield_shear", Number{properties.yield_shear, "MPa", "k, the yield stress in shear"}},
-      {"patches", record::as_rows(record::table_of("patch of a case", collective_columns(), f.patches))}};
 }
 
 } // namespace bem_contact::fatigue

@@ -2,9 +2,12 @@
 
 #include "bem_contact/record/column.hpp"
 #include "bem_contact/uses/fatigue/stress_peaks.hpp"
+#include "bem_contact/uses/shakedown/shakedown_of_result.hpp"
 
 #include <atomic>
 #include <cstddef>
+#include <filesystem>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -61,17 +64,24 @@ struct FatigueProperties {
   double yield_shear = 300;   ///< k, MPa
   DamageFunction damage = {}; ///< of one passage
   bool stresses = true;       ///< search the largest stresses below the surface: most of the work
+  /// An influence file with stresses, or a body file: what lies below the surface is then that of this rail
+  /// or wheel. Empty: of a half-space, with the shakedown limit of a long contact.
+  std::filesystem::path body = {};
 
   bool operator==(const FatigueProperties&) const = default;
 };
 
 /// One area in contact.
 struct PatchFatigue {
-  double s = 0, y = 0;      ///< centre of pressure: arc length on the rail, y of the rows' frame, mm
-  double normal_force = 0;  ///< N: sum p_n dS
-  double pmax = 0;          ///< MPa
-  ShakedownPoint point;     ///< with the largest pressure of the patch as p0
-  double limit_below = 0;   ///< of p0/k, where so much friction is used: limit_below() of shakedown.hpp
+  double s = 0, y = 0;     ///< centre of pressure: arc length on the rail, y of the rows' frame, mm
+  double normal_force = 0; ///< N: sum p_n dS
+  double pmax = 0;         ///< MPa
+  ShakedownPoint point;    ///< with the largest pressure of the patch as p0
+  /// Of p0/k, where so much friction is used: limit_below() of shakedown.hpp. In a body, that up to which
+  /// this patch shakes down for sure (uses/shakedown), where it is large enough to tell.
+  double limit_below = 0;
+  /// In a body: load factors up to which it shakes down for sure, and from which it does not; else nan.
+  double shakedown = std::numeric_limits<double>::quiet_NaN(), shakedown_upper = shakedown;
   double surface_index = 0; ///< FI_surf of that point
   double largest_index = 0; ///< of its elements
   double t_gamma = 0;       ///< what friction dissipates by rolled distance, spin included, N
@@ -89,46 +99,56 @@ struct Fatigue {
   std::vector<double> element_index; ///< FI of each element; -0.5 outside the contact; field
   std::vector<PatchFatigue> patches; ///< largest normal force first
   std::optional<StressPeaks> peaks;  ///< where they are asked for and there is contact
+  /// In a body: the largest of a half-space at the same points, and the patch with the least shakedown factor
+  /// without its maps.
+  std::optional<StressPeaks> halfspace_peaks;
+  std::optional<shakedown::PatchShakedown> worst;
 };
 
 /// Throws InputError for properties that make no sense, and ConvergenceError for a result that is not
-/// certified(). Without friction, or of a shift, T-gamma and damage are 0.
+/// certified(). Without friction, or of a shift, T-gamma and damage are 0. In a body also what
+/// shakedown_in_body() throws.
 Fatigue fatigue_of(const SceneResult& result, const FatigueProperties& properties = {});
 
 /// The numbers of a patch, in the order of the outputs. The program's tables and Python take names, units and
 /// values from here.
-std::span<const ColumnOf<PatchFatigue>> patch_columns();
+std::span<const ColumnOf<PatchFatigue>> patch_columns(bool in_body = false);
 
 /// One patch of one case of a load collective.
 struct CollectivePatch : PatchFatigue {
-  std::size_t index = 0; ///< of the case in the sweep
-  std::size_t patch = 0; ///< of the case, from 1, the largest force first
-  double weight = 1;     ///< how often the case occurs
-  double along = 0;      ///< place of its wheelset along the track, mm
-  StressPeaks peaks;     ///< of the case; 0 where they are not asked for
+  std::size_t index = 0;       ///< of the case in the sweep
+  std::size_t patch = 0;       ///< of the case, from 1, the largest force first
+  double weight = 1;           ///< how often the case occurs
+  double along = 0;            ///< place of its wheelset along the track, mm
+  StressPeaks peaks;           ///< of the case; 0 where they are not asked for
+  StressPeaks halfspace_peaks; ///< of the case, in a body; else 0
 };
 
 /// What a load collective does to the rail.
 struct CollectiveFatigue {
-  std::vector<CollectivePatch> patches; ///< case by case
-  std::size_t cases = 0;                ///< of the collective
-  std::size_t beyond_surface = 0;       ///< patches beyond the shakedown limit of the surface
-  std::size_t beyond_below = 0;         ///< others beyond that below the surface
-  double damage = 0;                    ///< of one passage, mean over the collective, 1
+  std::vector<CollectivePatch> patches;                ///< case by case
+  std::size_t cases = 0;                               ///< of the collective
+  std::size_t beyond_surface = 0;                      ///< patches beyond the shakedown limit of the surface
+  std::size_t beyond_below = 0;                        ///< others beyond that below the surface
+  double damage = 0;                                   ///< of one passage, mean over the collective, 1
+  std::optional<shakedown::PatchShakedown> worst = {}; ///< Fatigue::worst of all cases
 };
 
 /// Solves each case of a sweep. Throws InputError for properties that make no sense, ConvergenceError where a
-/// case has no certified result, and Stopped soon after another thread sets `stop`.
+/// case has no certified result, and Stopped soon after another thread sets `stop`. In a body `threads` work
+/// side by side; the numbers do not depend on how many.
 CollectiveFatigue fatigue_of(const SweepFile& sweep, const FatigueProperties& properties,
-                             const std::atomic<bool>* stop = nullptr);
+                             const std::atomic<bool>* stop = nullptr, int threads = 1);
 
 /// The numbers of a patch with those of its case, in the order of the outputs.
-std::span<const ColumnOf<CollectivePatch>> collective_columns();
+std::span<const ColumnOf<CollectivePatch>> collective_columns(bool in_body = false);
 
 /// What fatigue says at every door: of one result, whose field "FI" it looks into, and of a collective.
-record::Record record_of(const Fatigue& fatigue, const ContactGrid& grid);
+record::Record record_of(const Fatigue& fatigue, const ContactGrid& grid,
+                         const FatigueProperties& properties);
 /// A temporary is gone before its fields are looked at.
-record::Record record_of(const Fatigue&& fatigue, const ContactGrid& grid) = delete;
+record::Record record_of(const Fatigue&& fatigue, const ContactGrid& grid,
+                         const FatigueProperties& properties) = delete;
 record::Record record_of(const CollectiveFatigue& fatigue, const FatigueProperties& properties);
 
 } // namespace bem_contact::fatigue

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace bem_contact::fatigue {
 
@@ -63,12 +64,10 @@ using Measure = std::vector<double> StressesBelow::*;
 
 class Search {
 public:
-  Search(const ContactProblem& problem, const ContactResult& result, double poisson)
-      : problem_(problem), result_(result), poisson_(poisson) {}
+  explicit Search(inside::SurfaceTractions tractions) : tractions_(std::move(tractions)) {}
 
   StressesBelow at(std::vector<double> x, std::vector<double> s, std::vector<double> depth) const {
-    return stresses_below({.x = std::move(x), .s = std::move(s), .depths = std::move(depth)}, problem_,
-                          result_, poisson_, 0);
+    return stresses_below({.x = std::move(x), .s = std::move(s), .depths = std::move(depth)}, tractions_, 0);
   }
 
   StressPeak refine(StressPeak best, std::array<double, 3> step, double side, Measure measure) const {
@@ -92,9 +91,7 @@ public:
   }
 
 private:
-  const ContactProblem& problem_;
-  const ContactResult& result_;
-  double poisson_;
+  inside::SurfaceTractions tractions_;
 };
 
 StressPeak largest(const StressesBelow& b, Measure measure) {
@@ -116,7 +113,7 @@ StressPeaks stress_peaks(const ContactProblem& problem, const ContactResult& res
                wide_s = contact.s_to - contact.s_from + grid.ds;
   const double deep =
       std::max(2 * least_depth * side, problem.plane_strain() ? wide_s : std::min(wide_x, wide_s));
-  const Search search(problem, result, poisson);
+  const Search search(surface_tractions(problem, result, poisson));
   const StressesBelow lattice =
       search.at(steps(contact.x_from, contact.x_to, search_points),
                 steps(contact.s_from, contact.s_to, search_points), depths(least_depth * side, deep));
@@ -126,6 +123,22 @@ StressPeaks stress_peaks(const ContactProblem& problem, const ContactResult& res
     return search.refine(largest(lattice, measure), step, side, measure);
   };
   return {peak(&StressesBelow::von_mises), peak(&StressesBelow::largest_shear)};
+}
+
+StressPeaks stress_peaks(const inside::StressesInside& inside, bool of_halfspace, double depth) {
+  const auto largest_of = [&](double (*measure)(const halfspace::Stress&)) {
+    StressPeak best;
+    for (const inside::AreaStresses& area : inside.areas) {
+      const std::vector<inside::Passage>& stresses = of_halfspace ? area.flat : area.best();
+      for (std::size_t i = 0; i < area.points.size(); ++i)
+        for (std::size_t j = 0; j < area.x.size() && area.points[i].depth >= depth; ++j)
+          if (const halfspace::Stress& t = stresses[i][j]; std::isfinite(t.xx))
+            if (const double stress = measure(t); stress > best.stress)
+              best = {stress, area.x[j], area.points[i].s, area.points[i].depth};
+    }
+    return best;
+  };
+  return {largest_of(halfspace::von_mises), largest_of(halfspace::largest_shear)};
 }
 
 } // namespace bem_contact::fatigue

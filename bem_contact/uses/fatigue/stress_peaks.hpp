@@ -2,6 +2,7 @@
 
 #include "bem_contact/contact/problem.hpp"
 #include "bem_contact/contact/result.hpp"
+#include "bem_contact/inside/stresses_inside.hpp"
 
 namespace bem_contact::fatigue {
 
@@ -25,5 +26,9 @@ struct StressPeaks {
 /// surface itself. `poisson`: Poisson's ratio of the rail (a patch: of the lower body). All zero without
 /// contact.
 StressPeaks stress_peaks(const ContactProblem& problem, const ContactResult& result, double poisson);
+
+/// The largest stresses inside a body, or of the half-space at the same points, of those that are as deep as
+/// `depth` (mm) at least.
+StressPeaks stress_peaks(const inside::StressesInside& inside, bool of_halfspace, double depth);
 
 } // namespace bem_contact::fatigue

@@ -251,26 +251,18 @@ private:
   std::vector<YieldPoint> points_;
 };
 
-/// The tractions on the rail (patch: on the lower body).
-inside::SurfaceTractions tractions_of(const SceneResult& solved) {
-  const ContactProblem& problem = solved.problem;
-  inside::SurfaceTractions out{.dx = problem.grid.dx,
-                               .ds = problem.grid.ds,
-                               .x0 = problem.grid.x0,
-                               .columns = problem.grid.mx,
-                               .s = {},
-                               .px = solved.result.px,
-                               .ps = solved.result.ps,
-                               .pn = solved.result.pn,
-                               .poisson = solved.bodies.rail_poisson};
-  for (const ContactRow& row : problem.rows)
-    out.s.push_back(row.s);
-  out.px.resize(out.pn.size()); // empty without friction
-  out.ps.resize(out.pn.size());
+} // namespace
+
+std::vector<std::size_t> patches_told(const SceneResult& solved) {
+  const inside::SurfaceTractions tractions =
+      surface_tractions(solved.problem, solved.result, solved.bodies.rail_poisson);
+  const std::vector<std::vector<int>> patches = inside::loaded_patches(tractions);
+  std::vector<std::size_t> out;
+  for (std::size_t k = 0; k < patches.size(); ++k)
+    if (!inside::is_too_small(patches[k], tractions.columns))
+      out.push_back(k);
   return out;
 }
-
-} // namespace
 
 Shakedown shakedown_of(const SceneResult& solved, const ShakedownProperties& properties) {
   require_certified(solved);
@@ -279,15 +271,13 @@ Shakedown shakedown_of(const SceneResult& solved, const ShakedownProperties& pro
     throw InputError("There is no shakedown in plane strain",
                      "its elements are endless along x: nothing passes",
                      "Give a scene with elements along x.");
-  const inside::SurfaceTractions tractions = tractions_of(solved);
-  const std::vector<std::vector<int>> patches = inside::loaded_patches(tractions);
+  const inside::SurfaceTractions tractions =
+      surface_tractions(solved.problem, solved.result, solved.bodies.rail_poisson);
   Shakedown out = shakedown_of(inside::halfspace_inside(tractions, inside::Side::rail), properties);
-  std::size_t next = 0;
-  for (std::size_t k = 0; k < patches.size() && next < out.patches.size(); ++k) {
-    if (inside::is_too_small(patches[k], tractions.columns))
-      continue;
-    out.patches[next].s = solved.result.patches[k].s;
-    out.patches[next++].y = solved.result.patches[k].position.y;
+  const std::vector<std::size_t> told = patches_told(solved);
+  for (std::size_t i = 0; i < out.patches.size(); ++i) {
+    out.patches[i].s = solved.result.patches[told[i]].s;
+    out.patches[i].y = solved.result.patches[told[i]].position.y;
   }
   return out;
 }

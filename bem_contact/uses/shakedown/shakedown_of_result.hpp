@@ -98,6 +98,10 @@ struct Shakedown {
 /// result, and in plane strain.
 Shakedown shakedown_of(const SceneResult& result, const ShakedownProperties& properties = {});
 
+/// Of the patches of a result (SceneResult::result) the numbers of those that are large enough to tell, in
+/// the order in which shakedown_of() has them.
+std::vector<std::size_t> patches_told(const SceneResult& result);
+
 /// The same with the stresses of a file: of the real body where it has them. Residual stresses balance
 /// themselves below a surface of the body's mean curvature, where the body is. Throws InputError for wrong
 /// properties, and where the points are not those below a patch.

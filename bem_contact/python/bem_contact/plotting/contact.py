@@ -184,8 +184,11 @@ def draw_section(axis, contacts):
 
 
 def draw_stresses(axis, group):
-    """The von Mises stress below the surface: over depth, or as a section where the scene asks for many places."""
-    x, s, depths, stress = (group[name][:] for name in ("x", "s", "depths", "von_mises"))
+    """The von Mises stress below the surface: over depth, or as a section where the scene asks for many places. Of the real rail (or wheel)
+    where the scene asks for it, over depth beside that of a half-space."""
+    body = group.get("rail", group.get("wheel"))
+    x, depths = group["x"][:], group["depths"][:]
+    s, stress = ((body or group)[name][:] for name in ("s", "von_mises"))
     at = np.unravel_index(np.nanargmax(stress), stress.shape)
     name = f"largest: {stress[at]:.0f} MPa, {depths[at[2]]:.2f} mm deep"
     if len(s) > 1 or len(x) > 1:
@@ -196,8 +199,10 @@ def draw_stresses(axis, group):
         axis.set(xlabel=label, ylabel="depth, mm")
     else:
         axis.plot(stress[0, 0], depths, "-o", color=style.INK, label="von Mises")
+        if body:
+            axis.plot(body["halfspace_von_mises"][0, 0], depths, "--", color=style.INK, label="of a half-space")
         axis.plot(stress[at], depths[at[2]], "+", color=style.INK, markersize=14, label=name)
         axis.set(xlabel=f"MPa, below x = {x[0]:.2f}, s = {s[0]:.2f} mm", ylabel="depth, mm")
-    axis.set_title("Stress below the surface")
+    axis.set_title(f"Stress below the surface, in {text(body.attrs['body'])}" if body else "Stress below the surface")
     style.down(axis)
     axis.legend(loc="lower right")

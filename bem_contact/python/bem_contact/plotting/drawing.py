@@ -4,12 +4,12 @@ from pathlib import Path
 
 import matplotlib
 
-from . import bodies, conicity, curves, fatigue, influence, meshes, profiles, results, sections, style, sweep, tables, wear
+from . import bodies, conicity, curves, fatigue, influence, inside, meshes, profiles, results, sections, style, sweep, tables, wear
 from .kinds import from_file, kind_of, require_output, to_file
 from .refusals import refuse
 
 DRAW = {"result": results.draw_result, "comparison": results.draw_comparison, "wheelset": results.draw_wheelset, "sweep": sweep.draw,
-        "creep curves": curves.draw, "fit": curves.draw, "conicity": conicity.draw, "conicity map": conicity.draw_map, "fatigue": fatigue.draw, "wear": wear.draw, "table": tables.draw,
+        "creep curves": curves.draw, "fit": curves.draw, "conicity": conicity.draw, "conicity map": conicity.draw_map, "fatigue": fatigue.draw, "stresses": inside.draw, "wear": wear.draw, "table": tables.draw,
         "mesh": meshes.draw, "sections": sections.draw, "sections table": sections.draw, "influence file": influence.draw}
 PROFILES = ("profile", "profile table")
 WITH_BODIES = ("result", "comparison")  # meshes of both bodies may follow

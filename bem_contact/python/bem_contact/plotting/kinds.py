@@ -12,7 +12,7 @@ import h5py
 from ..program import program_file
 from .refusals import InputError, refuse
 
-FORMATS = ("result", "comparison", "sweep", "creep curves", "conicity map", "conicity", "wheelset", "table", "wear", "fatigue", "fit")
+FORMATS = ("result", "comparison", "sweep", "creep curves", "conicity map", "conicity", "wheelset", "table", "wear", "fatigue", "fit", "stresses")
 MOST_DEFLATED = 1032  # bytes of one: deflate stores 258 bytes in 2 bits
 CHECKSUM = 4  # bytes of Fletcher's behind each chunk
 HEADS = {"FI_surf": "fatigue", "body,t,line,section,u": "sections table", "s_mm,y_mm,z_mm,inclination_rad": "profile table"}
@@ -113,7 +113,7 @@ def of_hdf5(file):
     if not name:
         refuse(f"'{file}' cannot be drawn", "it is neither a file of results nor an influence file", "bem_contact info says what is in it.")
     refuse(f"'{file}' cannot be drawn", f"its format is '{name}'",
-           "Name a file that bem_contact solve, compare, sweep, creep-curves, conicity, fit, wheelset, table, wear or fatigue wrote.")
+           "Name a file that bem_contact solve, compare, sweep, creep-curves, conicity, fit, wheelset, table, wear, fatigue or stresses wrote.")
 
 
 @functools.cache
