@@ -70,7 +70,7 @@ record::Table table_of(const CreepCurve& curve) {
 }
 
 Record record_of(const CreepCurves& c) {
-  constexpr const char* by_elements = "by the size of the elements and of the differences' steps";
+  constexpr const char* by_elements = "by the size of the elements, and of the steps of differences";
   Record curves;
   for (const CreepCurve& curve : c.curves)
     curves.add(std::string(name_of(curve.which)), table_of(curve));
@@ -88,14 +88,17 @@ Record record_of(const CreepCurves& c) {
              "xi, eta, phi of the scene's rigid slip, with those that the geometry makes")},
       {"slopes", matrix(&c.slopes.values, "[Fx, Fs, Mz][xi, eta, phi] where nothing moves over the other")},
       {"slopes_error", matrix(&c.slopes.errors, by_elements)},
+      {"slopes_by_differences", c.slopes.by_differences},
       {"sensitivities",
        matrix(&c.sensitivities.values, "[Fx, Fs, Mz][xi, eta, phi] at the scene's creepages")},
       {"sensitivities_error", matrix(&c.sensitivities.errors, by_elements)},
+      {"sensitivities_by_differences", c.sensitivities.by_differences},
       {"linearised", matrix(c.linearised ? &*c.linearised : nullptr,
                             "the sensitivities from one linear system, with the pressure held")},
       {"kalker", matrix(c.linear ? &c.linear->slopes : nullptr,
                         "[Fx, Fs, Mz][xi, eta, phi] by linear theory for the nearest ellipse")},
       {"kalker_ellipse", ellipse_of(c.linear)},
+      {"contact_problems", Number{double(c.contact_problems), "1", "solved for all of this", {}, true}},
       {"curves", std::move(curves)}};
   return out.append(record_of(c.solution.warnings));
 }
