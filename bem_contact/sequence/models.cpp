@@ -74,4 +74,15 @@ InfluenceNumbers pair_numbers(Model model, const ContactSetup& setup, const Pair
   return elasticity_model(model).numbers(setup, files, contact, known, threads);
 }
 
+SceneFile rough_scene(const SceneFile& scene) {
+  SceneFile rough = with_model(scene, rough_model);
+  rough.grid = SceneFile::Grid();
+  rough.grid.rows = scene.grid.rows;
+  rough.grid.planar = scene.grid.planar;
+  rough.motion.free_rolling = false;
+  rough.load.force_y.reset();
+  rough.stresses.depths.clear();
+  return rough;
+}
+
 } // namespace bem_contact

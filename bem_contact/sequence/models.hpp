@@ -56,6 +56,8 @@ bool turns_with_rows(Model model);
 /// This model serves every contact, and it is the cheapest that does: for a look at a contact whose model is
 /// not chosen yet.
 inline constexpr Model rough_model = Model::halfspace;
+/// What rough solutions of lateral forces are of: the same question with half-space numbers.
+SceneFile rough_scene(const SceneFile& scene);
 /// Returns the model of the bodies' own influence files. It is the reference of the others.
 Model model_of_files();
 

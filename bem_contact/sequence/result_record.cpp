@@ -261,6 +261,11 @@ void add_found_lateral(Record& out, const SceneResult& r) {
   if (!r.motion.found_lateral)
     return;
   out.add("lateral_slope", Number{r.motion.found_lateral->slope, "N/mm", "dFy/dy at the displacement found"});
+  const auto count = [](int number, const char* meaning) {
+    return Number{double(number), "1", meaning, {}, true};
+  };
+  out.add("lateral_solutions", count(r.motion.found_lateral->solutions, "that found the displacement"));
+  out.add("lateral_rough_solutions", count(r.motion.found_lateral->rough, "of half-spaces before them"));
   out.add("other_laterals", field(r.motion.found_lateral->others, "mm",
                                   "other displacements with the same load.force_y, to some hundredths"));
 }

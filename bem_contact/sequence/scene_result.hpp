@@ -66,6 +66,7 @@ struct LateralPosition {
   double slope = 0; ///< dFy/dy there, N/mm
   std::vector<double> others; ///< others with the same force, to some tenths of a millimetre, mm; looked for
                               ///< where the start is none
+  int solutions = 0, rough = 0; ///< of the model, and rough ones of half-spaces, that it took
 };
 
 /// The model that a scene is solved with, and why: two short sentences at most.

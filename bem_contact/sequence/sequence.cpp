@@ -52,18 +52,6 @@ bool fine_enough(const ContactGrid& former, const SceneFile::Grid& wanted) {
   return former.dx <= coarse_former * wanted.dx && former.ds <= coarse_former * wanted.ds;
 }
 
-/// What rough solutions of lateral forces are of: the same question with half-space numbers.
-SceneFile rough_scene(const SceneFile& scene) {
-  SceneFile rough = with_model(scene, rough_model);
-  rough.grid = SceneFile::Grid();
-  rough.grid.rows = scene.grid.rows;
-  rough.grid.planar = scene.grid.planar;
-  rough.motion.free_rolling = false;
-  rough.load.force_y.reset();
-  rough.stresses.depths.clear();
-  return rough;
-}
-
 /// Whether model or elements are chosen by a solution.
 bool chooses(const SceneFile& scene) {
   return !scene.solver.model || scene.grid.elements || scene.grid.accuracy;
@@ -307,6 +295,7 @@ double Sequence::Impl::found_lateral(const SceneFile& scene, LateralSearch& sear
 SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const SceneTask& task) {
   const Stopwatch searching;
   const double wanted = *scene.load.force_y, start = scene.position.lateral;
+  const Counts before = counts_;
   LateralMemory& memory = lateral_memory(rough_scene(scene));
   LateralSearch search(
       {wanted, start, std::hypot(wanted, *scene.load.force)},
@@ -317,7 +306,10 @@ SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const
   const std::optional<double> force_there = first ? lateral_force_of(*first) : std::nullopt;
   const bool is_there = force_there && search.met(*force_there);
   const auto tell = [&](SceneResult& out, double lateral) {
-    out.motion.found_lateral = search.describe(lateral, out.result.totals.Fy.error);
+    LateralPosition& at =
+        out.motion.found_lateral.emplace(search.describe(lateral, out.result.totals.Fy.error));
+    std::tie(at.solutions, at.rough) =
+        std::pair(counts_.solves - before.solves, counts_.rough - before.rough);
     warn_of_lateral(scene, is_there ? force_there : search.force_at_start(), out);
   };
   if (is_there) {

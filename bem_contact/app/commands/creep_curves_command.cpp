@@ -89,8 +89,9 @@ std::string slopes_text(const CreepCurves& c) {
 }
 
 std::string sensitivities_text(const CreepCurves& c) {
-  std::string out = "Sensitivities at the scene's creepages, by differences\n              force      d/dxi  "
-                    "   d/deta     d/dphi\n";
+  std::string out = fmt::format("Sensitivities at the scene's creepages, {}\n              force      d/dxi  "
+                                "   d/deta     d/dphi\n",
+                                c.sensitivities.by_differences ? "by differences" : "by its derivatives");
   const MeasuredCreepForces forces = forces_of(c.solution);
   for (std::size_t f = 0; f < 3; ++f) {
     out += fmt::format("  {:4} {:12.5g}", EnumNames<CreepForce>::names[f], forces[f].value);
@@ -110,8 +111,9 @@ std::string sensitivities_text(const CreepCurves& c) {
 /// Tables for people: slopes at zero beside Kalker's, sensitivities, and each curve.
 std::string curves_text(const CreepCurves& c) {
   std::string out =
-      fmt::format("Creep curves, model {}: Fz {:.6g} N, mu Fn {:.6g} N, c = {:.4g} mm\n",
-                  name_of(c.solution.choice.model), c.solution.result.totals.Fz.value, c.bound, c.radius);
+      fmt::format("Creep curves, model {}: Fz {:.6g} N, mu Fn {:.6g} N, c = {:.4g} mm; {} contact problems\n",
+                  name_of(c.solution.choice.model), c.solution.result.totals.Fz.value, c.bound, c.radius,
+                  c.contact_problems);
   if (is_closed_form(c.solution.choice.model))
     out += fmt::format("  ({})\n", c.solution.choice.why_this_model);
   out += slopes_text(c) + sensitivities_text(c);

@@ -6,6 +6,7 @@
 #include "bem_contact/sequence/plan/hertz_model.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
+#include "bem_contact/uses/curves/creep_derivatives.hpp"
 #include "bem_contact/uses/curves/linearised.hpp"
 
 #include <algorithm>
@@ -32,10 +33,6 @@ constexpr double slope_step = 3e-3;
 /// 1, of the same creepage. Step of the differences that give sensitivities at a solution. With smaller ones
 /// the change of state of single elements shows.
 constexpr double sensitivity_step = 0.04;
-/// 1. Of a derivative over the root of the number of elements in contact: larger elements may have the same
-/// one by chance, and the border of the contact is known to a part of an element. Chosen on 45 slopes at zero
-/// of ellipses with 20 to 40 elements across, beside Kalker's.
-constexpr double border_share = 0.7;
 /// 1. Kalker's coefficients in place of unknown ones, for the steps and ranges of a contact that is no
 /// ellipse: 4 is that of a circle.
 constexpr double usual_coefficient = 4.0;
@@ -78,15 +75,6 @@ std::optional<LinearTheory> linear_theory(const SceneResult& result, const Mater
       {{cc * k.c11, 0, 0}, {0, cc * k.c22, cc * c * k.c23}, {0, -cc * c * k.c23, cc * c * c * k.c33}}};
   return out;
 }
-
-namespace {
-
-constexpr CreepKind kinds[] = {CreepKind::xi, CreepKind::eta, CreepKind::phi};
-constexpr std::size_t index(CreepKind kind) {
-  return static_cast<std::size_t>(kind);
-}
-
-} // namespace
 
 void require_creepages(const SceneFile& scene, std::span<const CreepRange> ranges) {
   refuse_derivatives(scene, "a creep curve");
@@ -154,87 +142,17 @@ SceneFile scene_at(const SceneFile& held_scene, double offset, const Creepages& 
   return scene;
 }
 
-/// Of the forces by each number that the scene names.
+/// Of the forces by each number that the scene names; none where the solution bends.
 std::vector<CreepForceValues> slopes_of(const SceneFile& scene, const SceneResult& r) {
   std::vector<CreepForceValues> out;
   for (const std::string& name : scene.derivatives) {
     const InputDerivatives& by = *std::ranges::find(r.derivatives, name, &InputDerivatives::name);
+    if (!(by.below > 0 && by.above > 0))
+      return {};
     CreepForceValues& one = out.emplace_back();
     for (std::size_t i = 0; i < one.size(); ++i)
       one[i] = by.totals[std::size_t(std::ranges::find(derived_totals(), EnumNames<CreepForce>::names[i]) -
                                      derived_totals().begin())];
-  }
-  return out;
-}
-
-std::vector<CreepPoint> points_by(Sequence& sequence, const SceneFile& given, const HeldContact& held,
-                                  std::span<const Creepages> points, const std::atomic<bool>* stop) {
-  const SceneFile scene = held_scene(given, held);
-  std::vector<CreepPoint> out;
-  for (const Creepages& at : points) {
-    const SceneResult r = sequence.solve(scene_at(scene, held.offset, at), stop);
-    out.push_back({0, forces_of(r), coarse_forces_of(r), r.result.totals.adhesion_share, certified(r), {}});
-    if (!r.derivatives.empty())
-      out.back().slopes = slopes_of(scene, r);
-  }
-  return out;
-}
-
-constexpr double step_shares[] = {1, 0.5}; ///< of the steps of differences
-constexpr std::size_t points_of_derivatives = 2 * std::size(step_shares) * std::size(kinds);
-
-/// The points that derivatives() takes: for each creepage up and down by the step, and by half of it.
-void add_difference_points(std::vector<Creepages>& points, const Creepages& at, const Creepages& steps) {
-  for (const CreepKind kind : kinds)
-    for (const double share : step_shares)
-      for (const double sign : {1, -1}) {
-        points.push_back(at);
-        points.back()[index(kind)] += sign * share * steps[index(kind)];
-      }
-}
-
-/// The points of add_difference_points() with whole steps, on elements twice as large. Their own grids:
-/// joined elements of the others differ from point to point, where a contact moves by a row. None where the
-/// scene counts its elements, or where there is no solution on larger ones.
-std::vector<CreepPoint> on_larger_elements(const SceneFile& scene, HeldContact held,
-                                           std::span<const Creepages> points, const CreepSolver& solve) {
-  if (scene.kind != SceneKind::wheel_rail || scene.grid.mx || scene.grid.ms || is_closed_form(held.model))
-    return {};
-  held.dx *= 2;
-  held.ds *= 2;
-  std::vector<Creepages> whole;
-  for (std::size_t i = 0; i < points.size(); i += 2 * std::size(step_shares))
-    whole.insert(whole.end(), {points[i], points[i + 1]});
-  try {
-    return solve(held, whole);
-  } catch (const ConvergenceError&) {
-    return {};
-  }
-}
-
-/// `larger`: as on_larger_elements() returns them. `order`: of the leading error in the step, which two steps
-/// take out. 2 where forces are smooth. At zero creepage slip begins at both sides of zero, and the error has
-/// order 1. `contact`: elements in contact.
-CreepDerivatives derivatives(std::span<const CreepPoint> points, std::span<const CreepPoint> larger,
-                             const Creepages& steps, int order, int contact) {
-  CreepDerivatives out;
-  const double local = border_share / std::sqrt(double(contact));
-  const double gain = std::pow(2, order) - 1;
-  for (const CreepKind kind : kinds) {
-    const std::size_t k = index(kind);
-    const auto slope = [&](std::size_t which, std::size_t i, const auto& of) {
-      const CreepPoint* up = &points[2 * (std::size(step_shares) * k + which)];
-      return ((up[0].*of)[i] - (up[1].*of)[i]) / (2 * step_shares[which] * steps[k]);
-    };
-    for (std::size_t i = 0; i < out.values.size(); ++i) {
-      const double whole = slope(0, i, &CreepPoint::forces), half = slope(1, i, &CreepPoint::forces);
-      const double coarse = larger.empty()
-                                ? slope(0, i, &CreepPoint::coarse)
-                                : (larger[2 * k].forces[i] - larger[2 * k + 1].forces[i]) / (2 * steps[k]);
-      out.values[i][k] = half + (half - whole) / gain;
-      out.errors[i][k] =
-          std::abs(half - whole) + std::abs(whole - coarse) + local * std::abs(out.values[i][k]);
-    }
   }
   return out;
 }
@@ -261,7 +179,7 @@ std::vector<double> values_of(const CreepRange& range, double middle, const Cree
 Creepages at_rest(const Creepages& asked, const SceneResult& solution) {
   const Creepages rigid = rigid_creepages(solution);
   Creepages out{};
-  for (const CreepKind kind : kinds)
+  for (const CreepKind kind : creep_kinds)
     out[index(kind)] = asked[index(kind)] - rigid[index(kind)];
   out[0] -= solution.result.totals.creepage_x;
   return out;
@@ -286,17 +204,30 @@ SceneResult solve_held(const SceneFile& scene, const HeldContact& held, const st
       .solve(scene_at(held_scene(scene, held), held.offset, own), stop);
 }
 
+std::vector<CreepPoint> creep_points(Sequence& sequence, const SceneFile& given, const HeldContact& held,
+                                     std::span<const Creepages> points, const std::atomic<bool>* stop) {
+  const SceneFile scene = held_scene(given, held);
+  std::vector<CreepPoint> out;
+  for (const Creepages& at : points) {
+    const SceneResult r = sequence.solve(scene_at(scene, held.offset, at), stop);
+    out.push_back({0, forces_of(r), coarse_forces_of(r), r.result.totals.adhesion_share, certified(r), {}});
+    if (!r.derivatives.empty())
+      out.back().slopes = slopes_of(scene, r);
+  }
+  return out;
+}
+
 std::vector<CreepPoint> creep_points(const SceneFile& scene, const HeldContact& held,
                                      std::span<const Creepages> points, const std::atomic<bool>* stop) {
   Sequence sequence({.displacements = false}, shared_files());
-  return points_by(sequence, scene, held, points, stop);
+  return creep_points(sequence, scene, held, points, stop);
 }
 
 CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ranges,
                          const std::atomic<bool>* stop, const CreepSolver& solve) {
   require_creepages(scene, ranges);
   const auto files = std::make_shared<SequenceFiles>();
-  Sequence sequence({.displacements = false}, files);
+  Sequence sequence({.displacements = false}, files), on_larger({.displacements = false}, files);
   CreepCurves out;
   out.solution = sequence.solve(scene, stop);
   out.bound = friction_bound(out.solution.problem, out.solution.result);
@@ -306,49 +237,40 @@ CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ran
   out.linear = linear_theory(out.solution, scene.rail.material, scene.wheel.material);
   out.radius = out.linear ? out.linear->c() : std::sqrt(out.solution.result.totals.area / std::numbers::pi);
   const HeldContact held = held_by(scene, out.solution);
-  const Creepages scale = saturation(out, scene), asked{scene.motion.xi, scene.motion.eta, scene.motion.phi},
-                  none = at_rest(asked, out.solution);
+  const Creepages scale = saturation(out, scene), asked{scene.motion.xi, scene.motion.eta, scene.motion.phi};
   const auto part = [&](double share) {
     return Creepages{share * scale[0], share * scale[1], share * scale[2]};
   };
+  const CreepSolvers solvers{
+      [&](const HeldContact& contact, std::span<const Creepages> some) {
+        if (!solve)
+          return creep_points(sequence, scene, contact, some, stop);
+        out.contact_problems += int(some.size());
+        return solve(contact, some);
+      },
+      [&](const SceneFile& named, const HeldContact& contact, const Creepages& at) {
+        return creep_points(contact == held ? sequence : on_larger, named, contact, {&at, 1}, stop).front();
+      }};
+  const DerivedContact contact{scene, held, count_elements(out.solution.result).contact};
+  out.sensitivities = creep_derivatives(contact, {asked, part(sensitivity_step), 2}, solvers);
+  out.slopes = creep_derivatives(contact, {at_rest(asked, out.solution), part(slope_step), 1}, solvers);
   std::vector<Creepages> points;
-  add_difference_points(points, asked, part(sensitivity_step));
-  add_difference_points(points, none, part(slope_step));
-  for (const CreepRange& range : ranges) {
-    out.curves.push_back({range.which, {}});
+  for (const CreepRange& range : ranges)
     for (const double value : values_of(range, free_xi(out.solution, held), scale)) {
-      out.curves.back().points.push_back({.creepage = value});
       points.push_back(asked);
       points.back()[index(range.which)] = value;
     }
-  }
-  const CreepSolver here = [&](const HeldContact& contact, std::span<const Creepages> some) {
-    return points_by(sequence, scene, contact, some, stop);
-  };
-  const std::vector<CreepPoint> solved = (solve ? solve : here)(held, points),
-                                larger = on_larger_elements(
-                                    scene, held, std::span(points).first(2 * points_of_derivatives),
-                                    solve ? solve : here);
-  std::span<const CreepPoint> rest = solved, rest_of_larger = larger;
-  const auto next = [](std::span<const CreepPoint>& of, std::size_t count) {
-    const auto some = of.first(std::min(count, of.size()));
-    of = of.subspan(some.size());
-    return some;
-  };
-  const auto next_derivatives = [&](double step, int order) {
-    return derivatives(next(rest, points_of_derivatives), next(rest_of_larger, 2 * std::size(kinds)),
-                       part(step), order, count_elements(out.solution.result).contact);
-  };
-  out.sensitivities = next_derivatives(sensitivity_step, 2);
-  out.slopes = next_derivatives(slope_step, 1);
-  for (CreepCurve& curve : out.curves)
-    for (CreepPoint& point : curve.points) {
-      const double creepage = point.creepage;
-      point = next(rest, 1).front();
-      point.creepage = creepage;
+  const std::vector<CreepPoint> solved = solvers.points(held, points);
+  for (std::size_t first = 0; const CreepRange& range : ranges) {
+    CreepCurve& curve = out.curves.emplace_back(CreepCurve{range.which, {}});
+    for (const double value : values_of(range, free_xi(out.solution, held), scale)) {
+      curve.points.push_back(solved[first++]);
+      curve.points.back().creepage = value;
     }
+  }
   out.linearised = linearised_sensitivities(scene_at(held_scene(scene, held), held.offset, asked),
                                             out.solution, part(sensitivity_step), *files);
+  out.contact_problems += sequence.counts().solves + on_larger.counts().solves;
   return out;
 }
 

@@ -45,7 +45,8 @@ struct CreepPoint {
   CreepForceValues coarse{};    ///< coarse_forces_of() it
   double adhesion_share = 0;    ///< of the area in contact
   bool certified = false;       ///< the certificate holds
-  /// What the forces change by per unit of each of the scene's `derivatives`, in its order; tasks keep none.
+  /// What the forces change by per unit of each of the scene's `derivatives`, in its order; none where the
+  /// solution bends, and there is another derivative to each side. Tasks keep none.
   std::vector<CreepForceValues> slopes = {};
 };
 
@@ -55,12 +56,13 @@ struct CreepCurve {
   std::vector<CreepPoint> points;  ///< in the order of the range
 };
 
-/// Derivatives by central differences, from steps h and h/2.
+/// Derivatives of a solution (key `derivatives`), or by central differences of others.
 struct CreepDerivatives {
   CreepMatrix values{}; ///< of the forces by the creepages
-  /// By the size of the elements and of the steps: how far the derivatives on elements twice as large lie
-  /// from these, and those of both steps from each other. nan where larger elements have no solution.
+  /// By the size of the elements: how far the derivatives on elements twice as large lie from these; of
+  /// differences also by the size of their steps. nan where larger elements have no solution.
   CreepMatrix errors{};
+  bool by_differences = false; ///< of solutions beside it: the solution has no derivatives, or bends there
 };
 
 /// The forces of a contact over its creepages.
@@ -76,6 +78,7 @@ struct CreepCurves {
   CreepDerivatives slopes;
   std::optional<LinearTheory> linear; ///< to compare the slopes with
   std::vector<CreepCurve> curves;     ///< one for each range
+  int contact_problems = 0;           ///< solved, elements twice as large included
 };
 
 /// Whether the solution and every point are certified.
@@ -108,8 +111,11 @@ void require_creepages(const SceneFile& scene, std::span<const CreepRange> range
 using CreepSolver =
     std::function<std::vector<CreepPoint>(const HeldContact& held, std::span<const Creepages> points)>;
 
-/// Solves points of a scene, each from the one before; the first starts cold. Where the scene names
-/// derivatives, points have them. Throws as creep_curves() does.
+/// Solves points of a scene, each from the one before; the first from what `sequence` solved last, or cold.
+/// Where the scene names derivatives, points have them. Throws as creep_curves() does.
+std::vector<CreepPoint> creep_points(Sequence& sequence, const SceneFile& scene, const HeldContact& held,
+                                     std::span<const Creepages> points,
+                                     const std::atomic<bool>* stop = nullptr);
 std::vector<CreepPoint> creep_points(const SceneFile& scene, const HeldContact& held,
                                      std::span<const Creepages> points,
                                      const std::atomic<bool>* stop = nullptr);

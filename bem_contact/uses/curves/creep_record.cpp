@@ -24,7 +24,7 @@ record::Content matrix(const CreepMatrix* m, const char* meaning) {
 
 /// Of the numbers of that name.
 record::Content errors_of(const char* name, const CreepMatrix& errors) {
-  record::Content out = matrix(&errors, "by the size of the elements and of the differences' steps");
+  record::Content out = matrix(&errors, "by the size of the elements, and of the steps of differences");
   auto& values = std::get<record::Field>(out);
   values.role = record::Role::error;
   values.of = name;
@@ -96,14 +96,17 @@ Record record_of(const CreepCurves& c) {
              "xi, eta, phi of the scene's rigid slip, with those that the geometry makes")},
       {"slopes", matrix(&c.slopes.values, "[Fx, Fs, Mz][xi, eta, phi] where nothing moves over the other")},
       {"slopes_error", errors_of("slopes", c.slopes.errors)},
+      {"slopes_by_differences", c.slopes.by_differences},
       {"sensitivities",
        matrix(&c.sensitivities.values, "[Fx, Fs, Mz][xi, eta, phi] at the scene's creepages")},
       {"sensitivities_error", errors_of("sensitivities", c.sensitivities.errors)},
+      {"sensitivities_by_differences", c.sensitivities.by_differences},
       {"linearised", matrix(c.linearised ? &*c.linearised : nullptr,
                             "the sensitivities from one linear system, with the pressure held")},
       {"kalker", matrix(c.linear ? &c.linear->slopes : nullptr,
                         "[Fx, Fs, Mz][xi, eta, phi] by linear theory for the nearest ellipse")},
       {"kalker_ellipse", ellipse_of(c.linear)},
+      {"contact_problems", Number{double(c.contact_problems), "1", "solved for all of this", {}, true}},
       {"curves", std::move(curves)}};
   return out.append(record_of(c.solution.warnings));
 }

@@ -21,6 +21,11 @@ template <> struct EnumNames<CreepForce> {
   static constexpr std::array<std::string_view, 3> names{"Fx", "Fs", "Mz"};
 };
 
+inline constexpr CreepKind creep_kinds[] = {CreepKind::xi, CreepKind::eta, CreepKind::phi};
+constexpr std::size_t index(CreepKind kind) {
+  return static_cast<std::size_t>(kind);
+}
+
 /// Indexed by CreepKind: xi, eta (1) and phi (1/mm).
 using Creepages = std::array<double, 3>;
 /// Indexed by CreepForce: N, N, N mm.

@@ -1,6 +1,7 @@
 #include "bem_contact/uses/table/refine.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/uses/table/beside_middle.hpp"
 #include "bem_contact/uses/table/measured_table.hpp"
 #include "bem_contact/uses/table/refine_nested.hpp"
 #include "bem_contact/uses/table/settings.hpp"
@@ -84,7 +85,7 @@ private:
   }
 
   /// Halves intervals of the worst cells: of the axis along which the error is largest, as solutions on two
-  /// of the cell's edges tell.
+  /// of the cell's edges tell, and what lies beside its middle.
   void insert(const std::vector<WorstError>& wrong) {
     std::vector<Point> edges;
     const auto each_edge = [&](const auto& use) {
@@ -101,7 +102,8 @@ private:
     std::map<Point, std::vector<double>> along; ///< error of each cell along each axis
     each_edge([&](const WorstError& cell, std::size_t a) {
       const auto off = [&](std::size_t end) { return measured_.off(on_edge(cell.at, a, end), cell.column); };
-      along[cell.at].push_back(std::max(off(0), off(1)));
+      along[cell.at].push_back(
+          in_cell(std::max(off(0), off(1)), beside_middle(table_, cell.at, a)[cell.column]));
     });
     std::vector<std::set<double>> fresh(table_.axes.size());
     for (const auto& [middle, errors] : along)

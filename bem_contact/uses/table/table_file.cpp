@@ -94,8 +94,7 @@ void require_lines(const ContactTable& table) {
 
 ContactTable table_of(const Stored& file) {
   ContactTable table;
-  // Files before 0.2 call them axes and columns.
-  for (const std::string& name : file.words(file.has("axis_names") ? "axis_names" : "axes")) {
+  for (const std::string& name : file.words("axis_names")) {
     const record::Field& axis = file.field("axes/" + name);
     if (!std::ranges::all_of(axis.values, [](double value) { return std::isfinite(value); }))
       file.refuse(fmt::format("its dataset '{}' has a number that is not finite", name));
@@ -107,7 +106,7 @@ ContactTable table_of(const Stored& file) {
     require_lines(table);
   }
   const std::vector<std::string> held = file.words("held");
-  for (const std::string& name : file.words(file.has("column_names") ? "column_names" : "columns")) {
+  for (const std::string& name : file.words("column_names")) {
     const record::Field& values = file.field("values/" + name, table.size());
     table.columns.push_back({name,
                              values.unit,
@@ -166,8 +165,8 @@ Record record_of(const ContactTable& table) {
   for (const Column& c : table.columns) {
     values.add(c.name, record::Field{c.unit, c.description, shape_of(table), c.values});
     interpolation.add(c.name, Number{c.interpolation_error, c.unit,
-                                     "largest difference from a solution in the middle of any cell, and "
-                                     "the largest jump"});
+                                     "largest difference from a solution in the middle of any cell, with "
+                                     "what the middle does not show, and the largest jump"});
     elements.add(c.name, Number{c.element_error, c.unit,
                                 "largest error by the size of the elements that a point states"});
     scale.add(c.name, Number{c.scale, c.unit, "what the tolerance is relative to"});
@@ -217,15 +216,33 @@ std::string to_text(const ContactTable& table) {
   return out;
 }
 
+namespace {
+
+/// With the command that makes the table anew.
+[[noreturn]] void refuse_other_version(const Record& stored, const std::filesystem::path& file) {
+  const auto text = [&](const char* name, std::string_view otherwise) {
+    return std::string(record::text_at(stored, name).value_or(otherwise));
+  };
+  const bool creep = record::find(stored, "creep_scale") != nullptr;
+  throw InputError(fmt::format("The table '{}' was made by another version of bem_contact", file.string()),
+                   fmt::format("its format is '{}', today's is '{}'", text("format", ""), table_format),
+                   fmt::format("Make it again: bem_contact table {} -o {}",
+                               creep ? "--creep-forces" : text("scene", "SCENE.toml"), file.string()));
+}
+
+} // namespace
+
 ContactTable read_table(const std::filesystem::path& file) {
   const H5Table read = read_h5(file);
   const Record stored = record::from_h5(read);
-  const FileKind* kind = kind_of(record::text_at(stored, "format").value_or(""));
+  const std::string_view format = record::text_at(stored, "format").value_or("");
+  if (format != table_format && kind_of(format) == kind_of(table_format))
+    refuse_other_version(stored, file);
   try {
-    if (kind && kind == kind_of(table_format)) {
+    if (format == table_format) {
       ContactTable table = table_of(Stored(stored, file));
       if (!read.checksums)
-        say_warning("The table '{}' has no checksums (an earlier version made it, or it was written again) "
+        say_warning("The table '{}' has no checksums (another program wrote it again) "
                     "Whether a number in it has changed since cannot be known; make it again to know it.",
                     file.string());
       return table;

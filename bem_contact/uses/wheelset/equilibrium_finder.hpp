@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/uses/wheelset/equilibrium.hpp"
+#include "bem_contact/uses/wheelset/lateral_equilibrium.hpp"
 
 #include <atomic>
 #include <memory>
@@ -35,6 +35,11 @@ public:
 
   /// As find_equilibrium(), on the elements that were chosen.
   Equilibrium at(double lateral, const EquilibriumStart& start, double tolerance);
+
+  /// As find_lateral_equilibrium(), on the elements that were chosen.
+  std::optional<Equilibrium> under_lateral_force(const WheelsetState& near, double tolerance) {
+    return find_lateral_equilibrium(wheels_, near, tolerance);
+  }
 
   const SceneFile& scene() const { return wheels_.scene(); }        ///< as given
   int contact_problems() const;                                     ///< solved so far, of both wheels

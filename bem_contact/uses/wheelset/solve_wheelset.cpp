@@ -52,10 +52,16 @@ public:
 
   /// The same; throws what find_equilibrium() throws.
   double required_force(double lateral) {
+    if (last_ && last_->state.pose.lateral == lateral)
+      return last_->state.sum().force[1];
     last_ = finder_.at(lateral, near(lateral), tolerance_);
     const double force = last_->state.sum().force[1];
-    known_.push_back({lateral, last_->start(), force});
+    add(lateral, last_->start(), force);
     return force;
+  }
+  /// An equilibrium that somebody else has found.
+  void add(double lateral, const EquilibriumStart& start, double force) {
+    known_.push_back({lateral, start, force});
   }
 
   bool lifts() const { return lifts_; } ///< whether a wheel lifted where a force was asked for last
@@ -178,6 +184,13 @@ AtLateralForce at_lateral_force(EquilibriumFinder& finder, const EquilibriumStar
   const SceneFile::Wheelset& given = finder.scene().wheelset;
   const double resultant = std::hypot(*given.force, *given.force_y);
   Follower follower(finder, guess.lateral, start, equilibrium_tolerance / 10);
+  if (follower.force(guess.lateral) && !meets(given, follower.last()))
+    if (std::optional<Equilibrium> found =
+            finder.under_lateral_force(follower.last().state, equilibrium_tolerance)) {
+      const double lateral = found->state.pose.lateral, lateral_force = found->state.sum().force[1];
+      follower.add(lateral, found->start(), lateral_force);
+      return {std::move(*found), follower.slope_at(lateral, lateral::uneven * resultant)};
+    }
   const LateralForce force = [&](double y) { return follower.force(y); };
   const double lateral = solve_lateral_force(force, *given.force_y, guess, lateral_balance * resultant);
   if (follower.last().state.pose.lateral != lateral)

@@ -155,7 +155,7 @@ WheelPair::WheelPair(const SceneFile& scene, const std::atomic<bool>* stop,
   free_elements();
 }
 
-SceneFile WheelPair::wheel_scene(WheelSide side, const WheelsetPose& pose) const {
+SceneFile WheelPair::wheel_scene(WheelSide side, const WheelsetPose& pose, bool derivatives) const {
   SceneFile out = scene_of(side);
   out.position.lateral = pose.lateral;
   out.position.vertical = pose.vertical + larger(side); // a wheel's own counts from its own radius
@@ -165,17 +165,21 @@ SceneFile WheelPair::wheel_scene(WheelSide side, const WheelsetPose& pose) const
     out.motion.rolling_radius = pose.rolling_radius;
     out.motion.pitch_rate.reset();
   }
+  if (derivatives)
+    out.derivatives = {"load", "lateral", "roll"};
+  if (derivatives && pose.rolling_radius)
+    out.derivatives.emplace_back("rolling_radius");
   return out;
 }
 
-WheelsetState WheelPair::at(const WheelsetPose& pose) {
+WheelsetState WheelPair::at(const WheelsetPose& pose, bool derivatives) {
   const double yaw = scene_.position.yaw, radius = scene_.position.wheel_radius;
   WheelsetState out{.pose = pose,
                     .yaw = yaw,
                     .wheel_radius = radius,
                     .left_wheel_radius = radius + larger(WheelSide::left),
-                    .right = right_.solve(wheel_scene(WheelSide::right, pose), stop_),
-                    .left = left_.solve(wheel_scene(WheelSide::left, pose), stop_)};
+                    .right = right_.solve(wheel_scene(WheelSide::right, pose, derivatives), stop_),
+                    .left = left_.solve(wheel_scene(WheelSide::left, pose, derivatives), stop_)};
   if (right_choice_)
     take_choice(*right_choice_, out.right);
   if (left_choice_)

@@ -84,8 +84,9 @@ public:
   explicit WheelPair(const SceneFile& scene, const std::atomic<bool>* stop = nullptr,
                      std::shared_ptr<SequenceFiles> files = nullptr);
 
-  /// Solves both wheels at this pose. Throws what Sequence::solve() throws.
-  WheelsetState at(const WheelsetPose& pose);
+  /// Solves both wheels at this pose. Throws what Sequence::solve() throws. `derivatives`: both results have
+  /// those with respect to the pose ("load" is its height); throws InputError where there are none.
+  WheelsetState at(const WheelsetPose& pose, bool derivatives = false);
   /// What would be solved of one wheel. Throws what Sequence::check() throws.
   SceneDescription check(WheelSide side, const WheelsetPose& pose);
   /// As at(), with the elements and models that the scene asks for. From here on the models found here are
@@ -111,7 +112,7 @@ private:
   double larger(WheelSide side) const {
     return scene_of(side).position.wheel_radius - scene_.position.wheel_radius;
   }
-  SceneFile wheel_scene(WheelSide side, const WheelsetPose& pose) const;
+  SceneFile wheel_scene(WheelSide side, const WheelsetPose& pose, bool derivatives = false) const;
 
   void keep_models(const WheelsetState& s);
 

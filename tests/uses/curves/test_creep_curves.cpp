@@ -175,7 +175,7 @@ TEST(CreepCurves, TheLayerOfASlopeIsFoundOnce) {
   const CreepCurves c = creep_curves(asked, ranges, nullptr,
                                      [&](const HeldContact& contact, std::span<const Creepages> points) {
                                        held.push_back(contact);
-                                       EXPECT_EQ(points.size(), 12u + 12u + 3u);
+                                       EXPECT_EQ(points.size(), 3u); // derivatives are solved here
                                        return creep_points(asked, contact, points);
                                      });
   ASSERT_EQ(held.size(), 1u);
@@ -245,6 +245,38 @@ TEST(CreepCurves, ErrorsOfSlopesCoverSmallerElements) {
       EXPECT_LT(stated, 0.15 * std::abs(value)) << f << k;
     }
   }
+}
+
+/// Derivatives of solutions and differences of others agree within what they state, and the former take a
+/// tenth of the solutions. Closed forms have no derivatives.
+TEST(CreepCurves, DerivativesAreThoseOfDifferences) {
+  for (const char* scene : {a_flange, a_tread}) {
+    SceneFile asked = parse_scene_file(scene);
+    asked.motion.xi = 5e-4;
+    asked.motion.eta = 3e-4;
+    const CreepCurves c = curves(asked);
+    EXPECT_FALSE(c.sensitivities.by_differences);
+    EXPECT_FALSE(c.slopes.by_differences);
+    EXPECT_EQ(c.contact_problems, 1 + 2 + 2);
+    SceneFile counted = asked; // elements of a wheel that are counted have no larger ones
+    const ContactGrid& grid = c.solution.problem.grid;
+    counted = with_elements(counted, grid.dx, grid.ds);
+    counted.grid.mx = grid.mx;
+    counted.grid.ms = grid.ms;
+    const CreepCurves d = curves(counted);
+    EXPECT_TRUE(d.sensitivities.by_differences);
+    EXPECT_EQ(d.contact_problems, 1 + 12 + 12);
+    for (const auto& [f, k] : {std::pair(Fx, xi), {Fs, eta}, {Fs, phi}, {Mz, eta}, {Mz, phi}})
+      for (const auto& [one, other] :
+           {std::pair(&c.sensitivities, &d.sensitivities), {&c.slopes, &d.slopes}}) {
+        fmt::print("{}{}: {:.5g} +- {:.2g}, by differences {:.5g} +- {:.2g}\n", f, k, one->values[f][k],
+                   one->errors[f][k], other->values[f][k], other->errors[f][k]);
+        EXPECT_LE(std::abs(one->values[f][k] - other->values[f][k]), one->errors[f][k]) << f << k;
+      }
+  }
+  SceneFile closed = parse_scene_file(a_tread);
+  closed.solver.model = Model::simplified;
+  EXPECT_TRUE(curves(closed).slopes.by_differences);
 }
 
 TEST(CreepCurves, RefusesScenesWithoutCreepages) {

@@ -85,13 +85,6 @@ def compared(found):
     return {f"{path}/{model}": found[key][model] for key, path in sets.items() if found[key] for model in found["models"]}
 
 
-def group_of(file, name, result):
-    """Where a result lies in a file; before 0.2 the sets of a comparison had other names, and a result a group of its model."""
-    if name:
-        return file[name] if name in file else file["at_" + name]
-    return file[result["model"]] if result["model"] in file else file
-
-
 def solve_or_compare(program, folder, scene, arguments):
     """Records, {name: record}, of `solve` (one, "") or `compare` (each model at equal forces and at equal position)."""
     with tempfile.TemporaryDirectory() as scratch:
@@ -106,7 +99,7 @@ def solve_or_compare(program, folder, scene, arguments):
         with h5py.File(output) as file:
             top = {name: item[()] for name, item in file.items() if is_numbers(item)}
             for name, result in results.items():
-                records[name] = json_record(result, fields_of(group_of(file, name, result)) | top)
+                records[name] = json_record(result, fields_of(file[name] if name else file) | top)
                 records[name]["words"]["message"] = words_of(messages, folder)
                 records[name]["numbers"]["exit code"] = code
     return records
