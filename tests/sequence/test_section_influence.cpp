@@ -14,6 +14,8 @@
 #include <cmath>
 #include <fstream>
 
+namespace section_influence_tests {
+
 namespace {
 
 using namespace bem_contact;
@@ -287,3 +289,5 @@ TEST(SectionInfluence, CheckNamesTheSectionsOfTheFiles) {
 }
 
 } // namespace
+
+} // namespace section_influence_tests
