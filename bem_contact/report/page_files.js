@@ -105,7 +105,7 @@ export const correspondence = () => data.section_lines ? [
   ["sections-side", "The same from the side.", correspondenceFigure(data.section_lines, "z"), "wide"]
 ] : [];
 export const SECTIONS = {
-  picture: () => correspondence()[0],
+  picture: () => correspondence()[0].slice(0, 3), // beside the words, not wide
   figures: () => correspondence().slice(1).forEach(one => addFigure(...one))
 };
 

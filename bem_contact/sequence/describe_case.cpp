@@ -98,7 +98,8 @@ FitOnStrips fit_on_strips(const ContactCase& asked) {
     FitOnStrips out;
     const ContactOnGrid& contact = solved.contact;
     for (const RowsOnStrip& on :
-         rows_on_files(asked.setup, asked.files, {contact.problem.rows, contact.rail_s, contact.wheel_s})) {
+         rows_on_files(asked.setup, asked.files, {contact.problem.rows, contact.rail_s, contact.wheel_s},
+                       contact.problem.grid.ds)) {
       std::optional<double>& room = on.file == asked.files.wheel ? out.wheel_room : out.rail_room;
       room = std::min(room.value_or(std::numeric_limits<double>::infinity()), room_on(on, solved));
     }
@@ -298,7 +299,8 @@ std::string influence_text(const char* body, const std::vector<RowsOnStrip>& str
 /// Where the rows lie on the strips of all files; nothing where a rail of sections has none there.
 std::vector<RowsOnStrip> strips_under(const ContactCase& asked, const ContactOnGrid& contact) {
   try {
-    return rows_on_files(asked.setup, asked.files, {contact.problem.rows, contact.rail_s, contact.wheel_s});
+    return rows_on_files(asked.setup, asked.files, {contact.problem.rows, contact.rail_s, contact.wheel_s},
+                         contact.problem.grid.ds);
   } catch (const OffStripError&) { // FitOnStrips::refusal says so
     return {};
   }

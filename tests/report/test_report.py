@@ -282,7 +282,7 @@ class Report(unittest.TestCase):
         # The sentences are those of every other door.
         sentences = show.value("[...document.querySelectorAll('#found li')].map(line => line.textContent)")
         page, stored = self.report_of(kind), self.files.get(kind)
-        if kind in ("profile", "mesh", "influence"):
+        if kind in ("profile", "sections", "mesh", "influence"):
             self.assertIsNone(shown["#next"], kind)
         else:
             plain = [one.replace("±\u00a0", "+- ").replace("²", "2").replace("³", "3").replace("\u00a0", " ") for one in sentences]
@@ -291,7 +291,7 @@ class Report(unittest.TestCase):
             self.assertIsNotNone(shown["#next"], (kind, stored))
         # Tables come after all figures, and are folded; what was asked comes last.
         self.assertEqual(show.value("[...document.querySelectorAll('table')].filter(t => !t.closest('details')).length"), 0, kind)
-        self.assertEqual(show.value("document.querySelector('main').lastElementChild.id"), "question" if kind != "profile" else "downloads", kind)
+        self.assertEqual(show.value("document.querySelector('main').lastElementChild.id"), "question" if kind not in ("profile", "sections") else "downloads", kind)
 
     def printed_by(self, module, calls, before=""):
         """What functions of a module of the page return, by Node."""

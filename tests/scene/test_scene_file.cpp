@@ -299,7 +299,7 @@ TEST(SceneFile, rails_of_sections) {
               AllOf(HasSubstr("rail.sections ("), HasSubstr("on a roller rig")));
   EXPECT_THAT(refusal(two + "motion = { kind = 'transient', steps = 3 }\n"),
               HasSubstr("sweep position.along"));
-  EXPECT_THAT(refusal(two + "wheel.influence = 'b.h5'\n"), HasSubstr("the same along the track"));
+  EXPECT_THAT(refusal(two + "wheel.influence = 'b.h5'\n"), HasSubstr("no section has an influence file"));
   EXPECT_THAT(refusal(two + "solver.model = 'simplified'\n"), HasSubstr("simplified theory"));
   EXPECT_THAT(refusal(own + "rail.sections = [ { at = 0, profile = '60E1', without = [3] } ]\n"),
               HasSubstr("section 1 is without feature 3"));

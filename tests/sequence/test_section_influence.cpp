@@ -6,12 +6,15 @@
 #include "bem_contact/sequence/sequence.hpp"
 #include "tests/base/message.hpp"
 #include "tests/base/temporary_folder.hpp"
+#include "tests/halfspace/strip_kernel.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <fstream>
+
+namespace section_influence_tests {
 
 namespace {
 
@@ -190,6 +193,65 @@ TEST(SectionInfluence, OfBodiesBesideEachOtherIsThatOfEach) {
   EXPECT_EQ(cut.patch_places.at(0).body, 2);
 }
 
+/// Two heads that both bear the wheel, with the influence functions of half-spaces in their files: as by
+/// half-space theory, but for what the two rails would feel of each other if they were one.
+TEST(SectionInfluence, OfTwoBodiesThatBothBearTheWheelIsTheirs) {
+  const TemporaryFolder folder;
+  const auto write = [&](const char* name, ProfileKind kind, const ProfileCurve& curve, double middle,
+                         int stations) {
+    InfluenceFunction f = halfspace_function(Material{}, stations, 1.0, 0.8, 300, 3);
+    f.profile = curve.name();
+    f.profile_digest = curve.digest();
+    for (Station& station : f.stations) {
+      const CurvePoint p = curve.at(station.s + middle);
+      station = {p.s, p.position, p.delta};
+    }
+    f.body = name_of(kind);
+    write_influence_file(folder / fmt::format("{}.h5", name), f);
+  };
+  const auto write_head = [&](const char* name, double middle, double s) {
+    std::ofstream out(folder.path() / fmt::format("{}.txt", name));
+    for (int i = -48; i <= 48; ++i)
+      out << fmt::format("{:.12f} {:.12f}\n", middle + 0.25 * i, 60 - std::sqrt(60 * 60 - 0.0625 * i * i));
+    out.close();
+    ProfileReading reading;
+    reading.keep_origin = true;
+    reading.unit = ProfileUnit::mm;
+    reading.profile_z = ProfileZ::down;
+    write(name, ProfileKind::rail,
+          named_profile(fmt::format("{}.txt", name), ProfileKind::rail, folder.path(), reading), s, 24);
+  };
+  write_head("inner", -3, -2.75);
+  write_head("outer", 32, 12.2);
+  write("wheel", ProfileKind::wheel, named_profile("S1002", ProfileKind::wheel), -18, 68);
+  const auto by = [&](const std::string& model, double inner, double outer, bool files_too = false) {
+    const auto file = [&](const char* name) {
+      return files_too ? fmt::format(", influence = '{}.h5'", name) : "";
+    };
+    SceneFile scene = parse_scene_file(fmt::format(
+        "wheel.profile = 'S1002'\nrail.profile_z = 'down'\nrail.unit = 'mm'\nrail.place = 'absolute'\n"
+        "rail.y = 753\nload.force = 20000\nmotion.frictionless = true\ngrid = {{ dx = 0.8, ds = 0.5 }}\n"
+        "solver.model = '{}'\n{}rail.bodies = [ {{ name = 'inner', lowered = {} }}, {{ name = 'outer', "
+        "lowered = {} }} ]\n"
+        "rail.sections = [ {{ at = 0, profile = 'inner.txt', body = 'inner'{} }}, "
+        "{{ at = 0, profile = 'outer.txt', body = 'outer'{} }} ]\n",
+        model, files_too ? "wheel.influence = 'wheel.h5'\n" : "", inner, outer, file("inner"),
+        file("outer")));
+    scene.folder = folder.path();
+    return solved(scene);
+  };
+  // Lowered by this the inner one bears about half.
+  const double gap = number(by("halfspace", 30, 0), "vertical") - number(by("halfspace", 0, 30), "vertical");
+  const SceneResult half = by("halfspace", gap, 0), own = by("fem", gap, 0, true);
+  ASSERT_EQ(half.result.patches.size(), 2u);
+  ASSERT_EQ(own.result.patches.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(own.patch_places[k].body, half.patch_places[k].body);
+    EXPECT_NEAR(own.result.patches[k].fn, half.result.patches[k].fn, 0.02 * half.result.patches[k].fn);
+    EXPECT_NEAR(own.result.patches[k].pmax, half.result.patches[k].pmax, 0.02 * half.result.patches[k].pmax);
+  }
+}
+
 TEST(SectionInfluence, RefusesWhatDoesNotFit) {
   const auto why = [](const std::string& rail) {
     return message_of([&] { Sequence().solve(scene_of(rail)); });
@@ -227,3 +289,5 @@ TEST(SectionInfluence, CheckNamesTheSectionsOfTheFiles) {
 }
 
 } // namespace
+
+} // namespace section_influence_tests

@@ -147,7 +147,8 @@ InfluenceNumbers sectioned_rail_numbers(const PairFiles& files, const ContactSet
   out.values.resize(out.expected_values());
   std::ranges::fill(out.values, 0.0);
   halfspace::LineStore* lines = known ? &known->lines : nullptr;
-  for (const SectionBlend::Stretch& stretch : section_blend(setup, contact.problem.rows).stretches) {
+  const RowsOnBodies rows{contact.problem.rows, contact.rail_s, contact.wheel_s};
+  for (const SectionBlend::Stretch& stretch : blend_on_strips(setup, files, rows, grid.ds).stretches) {
     if (stretch.parts.empty()) // never loaded: the numbers are positive, and that is all
       add_block(halfspace::influence_numbers(setup.rail.material, grid.dx, grid.ds, out.offsets, stretch.rows,
                                              lines),
@@ -259,8 +260,9 @@ InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, con
                                                       : "the scene names none for the rail",
                      "Give rail.influence and wheel.influence, or name other models, such as halfspace and "
                      "tangent_plane.");
-  require_strips(rows_on_files(setup, files, {contact.problem.rows, contact.rail_s, contact.wheel_s}),
-                 contact.problem.grid.ds);
+  const double ds = contact.problem.grid.ds;
+  require_strips(rows_on_files(setup, files, {contact.problem.rows, contact.rail_s, contact.wheel_s}, ds),
+                 ds);
   if (setup.patch()) {
     require_turn(files.rail->strip(), contact, contact.rail_s, rail_turn_tolerance);
     require_turn(files.wheel->strip(), contact, contact.wheel_s, wheel_turn_tolerance);
@@ -283,17 +285,40 @@ std::vector<double> radial_inclination(const ContactSetup& setup, const std::vec
 }
 
 std::vector<RowsOnStrip> rows_on_files(const ContactSetup& setup, const PairFiles& files,
-                                       const RowsOnBodies& rows) {
+                                       const RowsOnBodies& rows, double ds) {
   std::vector<RowsOnStrip> out;
   if (files.rail && !rows.rail_s.empty())
     out.push_back({files.rail, 0, rows.rail_s});
   if (!files.sections.empty() && !rows.rows.empty())
-    for (const SectionBlend::Stretch& stretch : section_blend(setup, rows.rows).stretches)
+    for (const SectionBlend::Stretch& stretch : blend_on_strips(setup, files, rows, ds).stretches)
       for (const SectionBlend::Part& part : stretch.parts)
         out.push_back({files.sections[part.file], stretch.first, shifted(rows.rail_s, stretch, part.shift),
                        section_in_words(setup.rail.sections[part.file])});
   if (files.wheel && !rows.wheel_s.empty())
     out.push_back({files.wheel, 0, rows.wheel_s});
+  return out;
+}
+
+SectionBlend blend_on_strips(const ContactSetup& setup, const PairFiles& files, const RowsOnBodies& rows,
+                             double ds) {
+  SectionBlend out = section_blend(setup, rows.rows);
+  const auto is_gap = [&](std::size_t i) {
+    return i < out.stretches.size() && out.stretches[i].parts.empty();
+  };
+  for (std::size_t i = 0; i < out.stretches.size(); ++i) {
+    SectionBlend::Stretch& stretch = out.stretches[i];
+    const auto off = [&](int row) {
+      return std::ranges::any_of(stretch.parts, [&](const SectionBlend::Part& part) {
+        return !inside(*files.sections[part.file], rows.rail_s[row] + part.shift, ds);
+      });
+    };
+    for (; i > 0 && is_gap(i - 1) && stretch.rows > 1 && off(stretch.first); --stretch.rows, ++stretch.first)
+      ++out.stretches[i - 1].rows;
+    for (; is_gap(i + 1) && stretch.rows > 1 && off(stretch.first + stretch.rows - 1); --stretch.rows) {
+      --out.stretches[i + 1].first;
+      ++out.stretches[i + 1].rows;
+    }
+  }
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include "bem_contact/influence/influence_numbers.hpp"
 #include "bem_contact/scene/contact_setup.hpp"
 #include "bem_contact/sequence/numbers/numbers_store.hpp"
+#include "bem_contact/sequence/numbers/section_blend.hpp"
 
 #include <memory>
 #include <string>
@@ -58,7 +59,12 @@ struct RowsOnStrip {
 /// All that the rows need; where a file is not there nothing. Throws OffStripError where a rail of sections
 /// has no files (section_blend()).
 std::vector<RowsOnStrip> rows_on_files(const ContactSetup& setup, const PairFiles& files,
-                                       const RowsOnBodies& rows);
+                                       const RowsOnBodies& rows, double ds);
+
+/// section_blend(), where rows that lie beside a gap between two bodies and off the strip of a file belong to
+/// the gap: a body's strip need not go down its side. No such row may bear.
+SectionBlend blend_on_strips(const ContactSetup& setup, const PairFiles& files, const RowsOnBodies& rows,
+                             double ds);
 
 /// Throws OffStripError unless all strips cover every row of width ds, mm.
 void require_strips(const std::vector<RowsOnStrip>& strips, double ds);

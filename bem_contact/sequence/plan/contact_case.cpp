@@ -130,8 +130,8 @@ std::optional<double> origin_of_rows(const ContactCase& contact) {
     return std::nullopt;
   try {
     const ReferencePoint& at = contact.setup.reference();
-    const std::vector<RowsOnStrip> strips =
-        rows_on_files(contact.setup, files, {{{at.s, at.position, at.delta}}, {at.s}, {}});
+    const std::vector<RowsOnStrip> strips = rows_on_files(
+        contact.setup, files, {{{at.s, at.position, at.delta}}, {at.s}, {}}, contact.scene.grid.ds);
     if (strips.empty())
       return std::nullopt;
     return strips.front().file->strip().stations.front().s + at.s - strips.front().s.front();
@@ -184,12 +184,12 @@ ContactCase with_influence(ContactCase asked, SequenceFiles& files) {
 }
 
 std::pair<int, int> rows_on_strips(const ContactCase& contact, const GridPlan& plan) {
-  return covered_rows(rows_on_files(contact.setup, contact.files, contact.setup.rows_on(plan)), plan.ds,
-                      plan.rows);
+  return covered_rows(rows_on_files(contact.setup, contact.files, contact.setup.rows_on(plan), plan.ds),
+                      plan.ds, plan.rows);
 }
 
 void require_strips(const ContactCase& contact, const GridPlan& plan) {
-  require_strips(rows_on_files(contact.setup, contact.files, contact.setup.rows_on(plan)), plan.ds);
+  require_strips(rows_on_files(contact.setup, contact.files, contact.setup.rows_on(plan), plan.ds), plan.ds);
 }
 
 GridPlan first_plan(const ContactCase& contact, const SceneFile::Grid& asked, bool on_strips) {

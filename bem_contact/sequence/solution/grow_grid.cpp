@@ -59,7 +59,8 @@ Touched touched_edges(const GridSolution& solved) {
 
 std::vector<std::string> strips_text(const ContactCase& contact, const GridPlan& plan) {
   std::vector<std::string> out;
-  for (const RowsOnStrip& on : rows_on_files(contact.setup, contact.files, contact.setup.rows_on(plan))) {
+  for (const RowsOnStrip& on :
+       rows_on_files(contact.setup, contact.files, contact.setup.rows_on(plan), plan.ds)) {
     const auto [from, to] = on.file->strip().ends();
     out.push_back(fmt::format("s = {:.2f} .. {:.2f} mm of '{}'{}", from, to, on.file->strip().body,
                               on.section.empty() ? "" : fmt::format(" ({})", on.section)));

@@ -50,6 +50,16 @@ Change change_over(const SectionBlend& blend, const ContactOnGrid& contact, cons
   return out;
 }
 
+/// Nothing bears where no file says how the rail yields.
+void require_free_gaps(const SectionBlend& blend, const ContactGrid& grid, const ContactResult& result) {
+  for (const SectionBlend::Stretch& stretch : blend.stretches)
+    if (stretch.parts.empty() && extent_of(grid, result, stretch).last_row >= 0)
+      throw OffStripError("The contact reaches the end of a strip of the influence files",
+                          "on the side of a body, where a gap begins, a row bears that no file covers",
+                          "Compute influence functions of longer strips, or choose solver.model = "
+                          "\"halfspace\" or \"tangent_plane\".");
+}
+
 void require_correspondence(const SectionBlend& blend, const ContactCase& asked) {
   for (const SectionBlend::Stretch& stretch : blend.stretches)
     for (const SectionBlend::Part& part : stretch.parts)
@@ -105,7 +115,11 @@ std::optional<SectionEnds> section_ends(const ContactCase& asked, const GridSolu
                                         const SolveResources& resources) {
   if (asked.setup.rail.sections.empty() || !solved.result.certified() || solved.result.patches.empty())
     return std::nullopt;
-  const SectionBlend blend = section_blend(asked.setup, solved.contact.problem.rows);
+  const ContactOnGrid& contact = solved.contact;
+  const SectionBlend blend =
+      blend_on_strips(asked.setup, asked.files, {contact.problem.rows, contact.rail_s, contact.wheel_s},
+                      contact.problem.grid.ds);
+  require_free_gaps(blend, contact.problem.grid, solved.result);
   require_correspondence(blend, asked);
   const Change change = change_over(blend, solved.contact, solved.result);
   if (!(change.over_contact > 0))
