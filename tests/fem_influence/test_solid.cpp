@@ -1,8 +1,6 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/halfspace/flat_strip.hpp"
 #include "bem_contact/inside/remainder.hpp"
-#include "bem_contact/profile/standard_profiles.hpp"
 #include "fem_influence/harmonic/body_stresses.hpp"
 #include "fem_influence/solid/solid_body.hpp"
 #include "fem_influence/solid/solid_check.hpp"
@@ -15,7 +13,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <numbers>
@@ -214,33 +211,12 @@ TEST_F(Solid, loads_of_one_mesh_are_reciprocal_and_the_field_is_written) {
 
 /// Where stresses are compared: the mean over a cell.
 struct CellStress {
-  Vector3 from, to; ///< corners: x, s, depth
+  Vector3 from, to; ///< corners
   halfspace::Stress stress;
 };
 
-/// x, s and depth of a point below a surface of this radius that has its top (convex) or bottom (concave,
-/// below 0) at y = z = 0; 0: flat.
-Vector3 below_surface(const Vector3& p, double radius) {
-  if (radius == 0)
-    return p;
-  const double up = radius - p[2]; // from the centre, if the surface is convex
-  return {p[0], radius * std::atan2(p[1] / radius, up / radius),
-          radius - std::copysign(std::hypot(p[1], up), radius)};
-}
-
-/// From the axes x, y, z to x, s, n where the surface is inclined by delta.
-halfspace::Stress turned(const halfspace::Stress& t, double delta) {
-  const double c = std::cos(delta), s = std::sin(delta);
-  return {t.xx,
-          c * c * t.ss + 2 * c * s * t.sn + s * s * t.nn,
-          s * s * t.ss - 2 * c * s * t.sn + c * c * t.nn,
-          c * t.xs + s * t.xn,
-          -s * t.xs + c * t.xn,
-          c * s * (t.nn - t.ss) + (c * c - s * s) * t.sn};
-}
-
-/// Means of the stresses over each cell, frame (x, s, n) of the surface above.
-std::vector<CellStress> cell_stresses(const SolidBody& body, const Material& material, double radius,
+/// Means of the stresses over each cell, frame (x, s, n) of a flat surface.
+std::vector<CellStress> cell_stresses(const SolidBody& body, const Material& material,
                                       std::span<const double> u) {
   const double mu = material.shear_modulus, lambda = 2 * mu * material.poisson / (1 - 2 * material.poisson);
   std::vector<CellStress> out;
@@ -265,11 +241,8 @@ std::vector<CellStress> cell_stresses(const SolidBody& body, const Material& mat
                    .to = {},
                    .stress = {trace + 2 * mu * g[0][0], trace + 2 * mu * g[1][1], trace + 2 * mu * g[2][2],
                               mu * (g[0][1] + g[1][0]), mu * (g[0][2] + g[2][0]), mu * (g[1][2] + g[2][1])}};
-    const Vector3 centre = below_surface(cell.centre, radius);
     for (std::size_t c = 0; c < 3; ++c)
-      one.from[c] = centre[c] - size / 2, one.to[c] = centre[c] + size / 2;
-    if (radius != 0)
-      one.stress = turned(one.stress, centre[1] / radius);
+      one.from[c] = cell.centre[c] - size / 2, one.to[c] = cell.centre[c] + size / 2;
     out.push_back(one);
   });
   return out;
@@ -292,121 +265,77 @@ SparseColumns pressure_on_an_element(const SolidBody& body) {
   return out.sparse();
 }
 
-/// A body in both methods, which share no line but the elasticity: hexahedra, and a section with waves along
-/// x. One element of 1 x 1 mm is loaded.
-struct BothMethods {
-  BodyFile body;
-  ProfileCurve curve;
-  double radius = 0; ///< below_surface()
-  std::filesystem::path solid, section;
-
-  struct Difference {
-    double worst = 0;         ///< von Mises' stress of the difference over that stress, from 1.5 mm down
-    double halfspace_off = 0; ///< the same of a half-space, anywhere
-    std::size_t cells = 0, deep = 0, within = 0; ///< all, those, and those within the stated error
-  };
-  Difference difference() const {
-    const SolidMesh mesh(solid, ContactSurface(curve, 0));
-    const SurfacePoint middle{0.5, 0};
-    const SolidBody hexahedra(
-        mesh, 2, {.loads = {&middle, 1}, .load_radius = 0.7, .smallest = 0.25, .grading = 0.15, .reach = 8});
-    const SparseColumns load = pressure_on_an_element(hexahedra);
-    std::vector<CellStress> chosen; // near the load, but no nearer than half its width, and below its passage
-    SolidSolver(hexahedra, body.material)
-        .solve(MirrorSymmetry::even, load, load,
-               [&](std::size_t, std::span<const double>, std::span<const double> u) {
-                 for (const CellStress& cell : cell_stresses(hexahedra, body.material, radius, u))
-                   if (cell.from[2] > 0.45 && cell.to[2] < 4 && cell.from[1] > -1.1 && cell.to[1] < 2.1 &&
-                       cell.to[0] < 0.51)
-                     chosen.push_back(cell);
-               });
-    return compare(chosen);
-  }
-
-private:
-  Difference compare(const std::vector<CellStress>& chosen) const {
-    inside::SurfaceTractions tractions{.dx = 0.125, .ds = 0.5, .x0 = -0.4375, .columns = 8};
-    tractions.poisson = body.material.poisson;
-    tractions.s = {0.25, 0.75};
-    tractions.pn.assign(16, 1), tractions.px.assign(16, 0), tractions.ps = tractions.px;
-    std::vector<inside::BelowSurface> points; // Gauss points of each cell
-    const double gauss = 0.5 / std::sqrt(3.0);
-    for (const CellStress& cell : chosen)
-      for (const double s : {0.5 - gauss, 0.5 + gauss})
-        for (const double z : {0.5 - gauss, 0.5 + gauss})
-          points.push_back({std::lerp(cell.from[1], cell.to[1], s), std::lerp(cell.from[2], cell.to[2], z)});
-    std::vector<inside::LoadedInside> loads{
-        {tractions, inside::halfspace_inside(tractions, inside::Side::rail, points)}};
-    add_body_stresses(loads, body, curve, section, [](std::size_t, std::size_t) {});
-    const inside::AreaStresses& area = loads[0].stresses.areas.at(0);
-    Difference out;
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-      halfspace::Stress mean, flat;
-      double columns = 0;
-      for (std::size_t j = 0; j < area.x.size(); ++j)
-        if (area.x[j] > chosen[i].from[0] && area.x[j] < chosen[i].to[0]) {
-          ++columns;
-          for (std::size_t k = 4 * i; k < 4 * i + 4; ++k)
-            mean.add(0.25, area.body[k][j]), flat.add(0.25, area.flat[k][j]);
-        }
-      EXPECT_GT(columns, 0) << chosen[i].from[0];
-      const double largest = von_mises(chosen[i].stress);
-      halfspace::Stress off, off_flat;
-      off.add(1 / columns, mean).add(-1, chosen[i].stress);
-      off_flat.add(1 / columns, flat).add(-1, chosen[i].stress);
-      if (chosen[i].from[2] >= 1.5) { // the load is a millimetre wide
-        out.worst = std::max(out.worst, von_mises(off) / largest);
-        ++out.deep;
-      }
-      double stated = 0;
-      for (std::size_t k = 4 * i; k < 4 * i + 4; ++k)
-        stated = std::max(stated, area.error[k]);
-      out.within += von_mises(off) < stated + 0.003 * largest; // that of the hexahedra
-      out.halfspace_off = std::max(out.halfspace_off, von_mises(off_flat) / largest);
-    }
-    out.cells = chosen.size();
-    return out;
-  }
-};
-
-/// The body is small, so that it has much that a half-space has not.
+/// Two methods that share no line but the elasticity: a section with waves along x, and hexahedra. The body
+/// is small, so that it has much that a half-space has not.
 TEST_F(Solid, stresses_below_one_element_are_those_of_the_section) {
   const double size = 8;
-  BothMethods both{block(), straight_line(size), 0, folder_ / "box.msh", folder_ / "section.msh"};
-  both.body.harmonic.half_period = 60;
-  both.body.strip.station_width = 0.5;
-  write_box(both.solid, {.sides = 2, .size = size, .first = 4});
-  write_block_mesh(both.section, 0.5, 6, size);
-  const BothMethods::Difference found = both.difference();
-  EXPECT_GE(found.deep, 20u);
-  EXPECT_LT(found.worst, 0.01);
-  EXPECT_GT(found.halfspace_off, 0.03); // the deepest
-  EXPECT_EQ(found.within, found.cells);
-}
+  BodyFile body = block();
+  body.harmonic.half_period = 60;
+  body.strip.station_width = 0.5;
+  write_box(folder_ / "box.msh", {.sides = 2, .size = size, .first = 4});
+  const SolidMesh mesh(folder_ / "box.msh", ContactSurface(straight_line(size), 0));
+  const SurfacePoint middle{0.5, 0};
+  const SolidBody solid(
+      mesh, 2, {.loads = {&middle, 1}, .load_radius = 0.7, .smallest = 0.25, .grading = 0.15, .reach = 8});
+  const SparseColumns load = pressure_on_an_element(solid);
+  std::vector<CellStress> cells;
+  SolidSolver(solid, body.material)
+      .solve(MirrorSymmetry::even, load, load,
+             [&](std::size_t, std::span<const double>, std::span<const double> u) {
+               cells = cell_stresses(solid, body.material, u);
+             });
 
-/// A body of the demo, meshed as users do, but shorter along x.
-TEST_F(Solid, stresses_in_the_blade_of_the_demo_are_those_of_the_section) {
-  std::string text = read_text_file(CONFORMAL_SOURCE_DIR "/data/bodies/blade.toml", "body");
-  const auto replace = [&](std::string_view old, std::string_view by) {
-    const std::size_t at = text.find(old);
-    ASSERT_NE(at, text.npos) << old;
-    text.replace(at, old.size(), by);
-  };
-  replace("shortest_dx = 0.5", "half_period = 40\nshortest_dx = 0.5");
-  replace("station_width = 0.25", "station_width = 0.5");
-  const std::filesystem::path file = folder_ / "blade.toml", solid = folder_ / "solid.msh",
-                              section = folder_ / "section.msh";
-  write_text(file, text);
-  for (const std::string& words : {section.string(), solid.string() + " --solid"})
-    ASSERT_EQ(
-        std::system(fmt::format("{} {} -o {} 2> /dev/null", MESH_BODY_PROGRAM, file.string(), words).c_str()),
-        0);
-  const BodyFile body = read_body_file(file);
-  const BothMethods both{body, body_profile(body), 60, solid, section};
-  const BothMethods::Difference found = both.difference();
-  EXPECT_GE(found.deep, 20u);
-  EXPECT_LT(found.worst, 0.01);
-  EXPECT_GT(found.halfspace_off, 0.03);
+  inside::SurfaceTractions tractions{.dx = 0.125, .ds = 0.5, .x0 = -0.4375, .columns = 8};
+  tractions.poisson = body.material.poisson;
+  tractions.s = {0.25, 0.75};
+  tractions.pn.assign(16, 1), tractions.px.assign(16, 0), tractions.ps = tractions.px;
+  std::vector<CellStress> chosen; // near the load, but no nearer than half its width, and below its passage
+  for (const CellStress& cell : cells)
+    if (cell.from[2] > 0.45 && cell.to[2] < 4 && cell.from[1] > -1.1 && cell.to[1] < 2.1 && cell.to[0] < 0.51)
+      chosen.push_back(cell);
+  std::vector<inside::BelowSurface> points; // Gauss points of each cell
+  const double gauss = 0.5 / std::sqrt(3.0);
+  for (const CellStress& cell : chosen)
+    for (const double s : {0.5 - gauss, 0.5 + gauss})
+      for (const double z : {0.5 - gauss, 0.5 + gauss})
+        points.push_back({std::lerp(cell.from[1], cell.to[1], s), std::lerp(cell.from[2], cell.to[2], z)});
+  write_block_mesh(folder_ / "section.msh", 0.5, 6, size);
+  std::vector<inside::LoadedInside> loads{
+      {tractions, inside::halfspace_inside(tractions, inside::Side::rail, points)}};
+  add_body_stresses(loads, body, straight_line(size), folder_ / "section.msh",
+                    [](std::size_t, std::size_t) {});
+  const inside::AreaStresses& area = loads[0].stresses.areas.at(0);
+  double worst = 0, halfspace_off = 0;
+  std::size_t deep = 0, within = 0;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    halfspace::Stress mean, flat;
+    double columns = 0;
+    for (std::size_t j = 0; j < area.x.size(); ++j)
+      if (area.x[j] > chosen[i].from[0] && area.x[j] < chosen[i].to[0]) {
+        ++columns;
+        for (std::size_t k = 4 * i; k < 4 * i + 4; ++k)
+          mean.add(0.25, area.body[k][j]), flat.add(0.25, area.flat[k][j]);
+      }
+    ASSERT_GT(columns, 0) << chosen[i].from[0];
+    const double largest = von_mises(chosen[i].stress);
+    halfspace::Stress off, off_flat;
+    off.add(1 / columns, mean).add(-1, chosen[i].stress);
+    off_flat.add(1 / columns, flat).add(-1, chosen[i].stress);
+    if (chosen[i].from[2] >= 1.5) { // the load is a millimetre wide
+      worst = std::max(worst, von_mises(off) / largest);
+      ++deep;
+    }
+    double stated = 0;
+    for (std::size_t k = 4 * i; k < 4 * i + 4; ++k)
+      stated = std::max(stated, area.error[k]);
+    within += von_mises(off) < stated + 0.003 * largest; // that of the hexahedra
+
+    halfspace_off = std::max(halfspace_off, von_mises(off_flat) / largest);
+  }
+  EXPECT_GE(deep, 20u);
+  EXPECT_LT(worst, 0.01);
+  EXPECT_GT(halfspace_off, 0.03); // the deepest
+  EXPECT_EQ(within, chosen.size());
 }
 
 TEST_F(Solid, curved_sides_off_the_profile_are_curved) {

@@ -32,19 +32,17 @@ std::string stresses_text(const std::optional<StressesBelow>& stresses) {
     return static_cast<std::size_t>(std::ranges::max_element(f.largest_shear, {}, known) -
                                     f.largest_shear.begin());
   };
-  const auto line = [&](const StressField& f, const std::string& error, std::size_t at,
-                        const std::vector<double>& s) {
+  const auto line = [&](const StressField& f, std::size_t at, const std::vector<double>& s) {
     return fmt::format(
-        "largest shear stress {:.1f}{} MPa (von Mises {:.1f}) at x = {:g}, s = {:g}, depth {:g} mm",
-        f.largest_shear[at], error, f.von_mises[at], b.x[at / nd / ns], s[at / nd % ns], b.depths[at % nd]);
+        "largest shear stress {:.1f} MPa (von Mises {:.1f}) at x = {:g}, s = {:g}, depth {:g} mm",
+        f.largest_shear[at], f.von_mises[at], b.x[at / nd / ns], s[at / nd % ns], b.depths[at % nd]);
   };
-  std::string out = fmt::format("below the surface: {}, of {}\n", line(b, "", largest(b), b.s),
+  std::string out = fmt::format("below the surface: {}, of {}\n", line(b, largest(b), b.s),
                                 counted(b.largest_shear.size(), "point", "points"));
   for (const StressesInBody& body : b.bodies) {
     const std::size_t at = largest(body.in_body), flat = largest(body.halfspace);
-    const std::string error = fmt::format(" +- {:.2g}", body.error[at % (ns * nd)]);
     out += fmt::format("in the {} ({}): {}; a half-space has {:.1f} MPa: the body {:+.1f} %\n",
-                       name_of(body.side), body.body, line(body.in_body, error, at, body.s),
+                       name_of(body.side), body.body, line(body.in_body, at, body.s),
                        body.halfspace.largest_shear[flat],
                        100 * (body.in_body.largest_shear[at] / body.halfspace.largest_shear[flat] - 1));
   }
