@@ -102,7 +102,7 @@ WorstError MeasuredTable::error(const Point& at) const {
   return worst;
 }
 
-std::vector<WorstError> MeasuredTable::measure(std::span<const Point> points) {
+std::vector<WorstError> MeasuredTable::measure(std::span<const Point> points, double share) {
   ask(points);
   for (std::size_t c = 0; c < table_.columns.size(); ++c) {
     double& largest = table_.columns[c].interpolation_error = 0;
@@ -116,7 +116,7 @@ std::vector<WorstError> MeasuredTable::measure(std::span<const Point> points) {
   worst_.relative = 0;
   for (const Point& point : points) {
     const WorstError here = error(point);
-    if (here.relative > wanted_.tolerance)
+    if (here.relative > share * wanted_.tolerance)
       wrong.push_back(here);
     if (here.relative > worst_.relative)
       worst_ = here;

@@ -30,8 +30,8 @@ public:
   /// The largest error there.
   WorstError error(const Point& at) const;
   /// States the errors of the table at these points, which lie in its cells, and gives those where they are
-  /// too large.
-  std::vector<WorstError> measure(std::span<const Point> points);
+  /// too large: by more than this share of the tolerance.
+  std::vector<WorstError> measure(std::span<const Point> points, double share = 1);
   const WorstError& worst() const { return worst_; } ///< of the last measurement
   /// Beside a jump the table may be off by all of it, however small the cells are, and their middles tell of
   /// half of it. Where a column changes most from a middle to a corner, and the middle is off, the way

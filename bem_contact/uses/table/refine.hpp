@@ -36,9 +36,9 @@ struct Wanted {
 };
 
 /// Solves every point of a table and, to measure the error, the middle of its cells and one more point in
-/// each (nested axes: the middle alone). Where the error is too large, intervals of the axis along which it is
-/// largest are halved, until all these are within the tolerance. Nested axes get points only where the error
-/// is; others get them all along the table. Nothing is solved beyond the ends of the axes. Throws
+/// each (nested axes: the middle alone). Where the error is too large, intervals of the axis along which it
+/// is largest are halved, until all these are within the tolerance. Nested axes get points only where the
+/// error is; others get them all along the table. Nothing is solved beyond the ends of the axes. Throws
 /// ConvergenceError if that takes more than most_points, or if a point has no certified result.
 void refine(ContactTable& table, const PointsSolver& solve, const Wanted& wanted);
 
