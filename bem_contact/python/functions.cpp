@@ -221,7 +221,7 @@ void add_functions(py::module_& module) {
       "values of a curve over this creepage, the other two being the scene's; without any, three curves "
       "from full slip to full slip. A dict: \"curves\" (a dict of arrays for each creepage), and matrices "
       "[Fx, Fs, Mz][xi, eta, phi]: \"slopes\" without creepage, \"kalker\" (linear theory for the nearest "
-      "ellipse, or None), \"sensitivities\" at the scene's creepages, by differences, and \"linearised\", "
+      "ellipse, or None), \"sensitivities\" at the scene's creepages, and \"linearised\", "
       "by one linear system with the pressure held (or None); \"forces\" there. N, mm. `measured`: a CSV "
       "file or a dict of "
       "measured forces (columns xi,Fx or xi,Fx,scatter); \"measured\" then has them beside the computed "

@@ -35,7 +35,7 @@ there are three curves, from full slip to full slip. A range is FROM:TO:COUNT, a
 leading minus), or auto. Example:
     bem_contact creep-curves data/scenes/steady_rolling.toml -o creep.h5
 You should see the slopes at zero creepage and spin beside those of Kalker's linear theory for the same ellipse (dFx/dxi
-1.7149e+06 and 1.719e+06 N, a difference of -0.24 %), the sensitivities at the scene's creepages (dFx/dxi 6.092e+05 N),
+1.7163e+06 and 1.719e+06 N, a difference of -0.15 %), the sensitivities at the scene's creepages (dFx/dxi 6.093e+05 N),
 and three tables, with a line for each creepage. With --jobs several processes share the points; then chunks of points start
 cold, and the forces are the same within the certificate, whatever the number of processes. More, and how to draw them: data/tutorial/creep-curves.md.
 

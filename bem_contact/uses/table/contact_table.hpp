@@ -42,8 +42,7 @@ struct Column {
   std::string description; ///< in a few words
   bool held = true;        ///< whether refine() keeps its error within the tolerance, jumps too
   double scale = 1;        ///< what errors are relative to, in its unit
-  /// Largest difference from a solution in the middle of a cell, with what the middle does not show, or jump
-  /// within one, in its unit.
+  /// Largest difference from a solution within a cell, or jump within one, in its unit.
   double interpolation_error = std::numeric_limits<double>::quiet_NaN();
   /// Largest error by the size of the elements that a point states, in its unit; nan: not known.
   double element_error = std::numeric_limits<double>::quiet_NaN();

@@ -2,7 +2,6 @@
 
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/uses/table/beside_middle.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -55,9 +54,10 @@ std::string MeasuredTable::foreseen_text() const {
     cells *= axis.points.size() - 1;
   return table_.nested()
              ? ""
-             : fmt::format("; with the middles of its {} that is {} contacts at least, and twice as many "
-                           "with each axis whose intervals must be halved",
-                           counted(std::ptrdiff_t(cells), "cell", "cells"), table_.size() + cells);
+             : fmt::format(
+                   "; with two points in each of its {} that is {} contacts at least, and twice as many "
+                   "with each axis whose intervals must be halved",
+                   counted(std::ptrdiff_t(cells), "cell", "cells"), table_.size() + 2 * cells);
 }
 
 void MeasuredTable::fill(int round) {
@@ -89,27 +89,11 @@ double MeasuredTable::off(const Point& at, std::size_t column) const {
   return std::abs(interpolate(table_, table_.columns[column], at) - known_.at(at).values[column]);
 }
 
-std::vector<double> MeasuredTable::errors_in_cell(const Point& middle) const {
-  std::vector<double> beside(table_.columns.size(), 0.0), out;
-  for (std::size_t a = 0; a < table_.axes.size(); ++a) {
-    const std::vector<double> along = beside_middle(table_, middle, a);
-    std::ranges::transform(beside, along, beside.begin(), std::plus());
-  }
-  for (std::size_t c = 0; c < beside.size(); ++c)
-    out.push_back(in_cell(off(middle, c), beside[c]));
-  return out;
-}
-
 WorstError MeasuredTable::error(const Point& at) const {
-  return worst_of(at, [&](std::size_t column) { return off(at, column); });
-}
-
-WorstError MeasuredTable::worst_of(const Point& at,
-                                   const std::function<double(std::size_t column)>& off) const {
   WorstError worst{.at = at};
   for (std::size_t c = 0; c < table_.columns.size(); ++c)
     if (const Column& column = table_.columns[c]; column.held) {
-      const double relative = off(c) / column.scale;
+      const double relative = off(at, c) / column.scale;
       if (std::isnan(relative))
         refuse_to_hold(column);
       if (relative > worst.relative)
@@ -118,23 +102,21 @@ WorstError MeasuredTable::worst_of(const Point& at,
   return worst;
 }
 
-std::vector<WorstError> MeasuredTable::measure(std::span<const Point> middles) {
-  ask(middles);
-  for (Column& column : table_.columns)
-    column.interpolation_error = 0;
+std::vector<WorstError> MeasuredTable::measure(std::span<const Point> points, double share) {
+  ask(points);
+  for (std::size_t c = 0; c < table_.columns.size(); ++c) {
+    double& largest = table_.columns[c].interpolation_error = 0;
+    for (const Point& point : points)
+      largest = std::fmax(largest, off(point, c)); // leaves nan out
+  }
   table_.tolerance = wanted_.tolerance;
-  table_.checked = middles.size();
+  table_.checked = points.size();
   table_.solved = known_.size();
   std::vector<WorstError> wrong;
   worst_.relative = 0;
-  for (const Point& middle : middles) {
-    const std::vector<double> errors = errors_in_cell(middle);
-    for (std::size_t c = 0; c < errors.size(); ++c) {
-      double& largest = table_.columns[c].interpolation_error;
-      largest = std::fmax(largest, errors[c]); // leaves nan out
-    }
-    const WorstError here = worst_of(middle, [&](std::size_t column) { return errors[column]; });
-    if (here.relative > wanted_.tolerance)
+  for (const Point& point : points) {
+    const WorstError here = error(point);
+    if (here.relative > share * wanted_.tolerance)
       wrong.push_back(here);
     if (here.relative > worst_.relative)
       worst_ = here;

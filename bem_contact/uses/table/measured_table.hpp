@@ -2,7 +2,6 @@
 
 #include "bem_contact/uses/table/refine.hpp"
 
-#include <functional>
 #include <map>
 
 namespace bem_contact::table {
@@ -30,9 +29,9 @@ public:
   double off(const Point& at, std::size_t column) const;
   /// The largest error there.
   WorstError error(const Point& at) const;
-  /// States the errors of the table in the cells with these middles, and gives those where they are too
-  /// large.
-  std::vector<WorstError> measure(std::span<const Point> middles);
+  /// States the errors of the table at these points, which lie in its cells, and gives those where they are
+  /// too large: by more than this share of the tolerance.
+  std::vector<WorstError> measure(std::span<const Point> points, double share = 1);
   const WorstError& worst() const { return worst_; } ///< of the last measurement
   /// Beside a jump the table may be off by all of it, however small the cells are, and their middles tell of
   /// half of it. Where a column changes most from a middle to a corner, and the middle is off, the way
@@ -49,9 +48,6 @@ private:
   };
   /// The ways on which there may be a jump that is larger than the stated error.
   std::vector<Way> steep_ways(std::span<const Point> middles, std::size_t column) const;
-  WorstError worst_of(const Point& at, const std::function<double(std::size_t column)>& off) const;
-  /// Of each column, in its unit: with what the middle does not show (beside_middle()).
-  std::vector<double> errors_in_cell(const Point& middle) const;
   void require_room(int round) const;
   std::string worst_text() const;
   std::string foreseen_text() const; ///< how many contacts it takes; "" of nested axes, which nobody knows

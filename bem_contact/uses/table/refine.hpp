@@ -35,12 +35,11 @@ struct Wanted {
   std::function<void(const std::string&)> progress{};
 };
 
-/// Solves every point of a table and, to measure the error, the middle of its cells. Where the error is too
-/// large, intervals of the axis along which it is largest are halved, until every cell is within the
-/// tolerance: its middle by a solution, and what the middle does not show by the points around the cell
-/// (beside_middle.hpp; not of nested axes). Nested axes get points only where the error is; other axes get
-/// them all along the table. Nothing is solved beyond the ends of the axes. Throws ConvergenceError if that
-/// takes more than most_points, or if a point has no certified result.
+/// Solves every point of a table and, to measure the error, the middle of its cells and one more point in
+/// each (nested axes: the middle alone). Where the error is too large, intervals of the axis along which it
+/// is largest are halved, until all these are within the tolerance. Nested axes get points only where the
+/// error is; others get them all along the table. Nothing is solved beyond the ends of the axes. Throws
+/// ConvergenceError if that takes more than most_points, or if a point has no certified result.
 void refine(ContactTable& table, const PointsSolver& solve, const Wanted& wanted);
 
 } // namespace bem_contact::table

@@ -164,9 +164,9 @@ Record record_of(const ContactTable& table) {
   }
   for (const Column& c : table.columns) {
     values.add(c.name, record::Field{c.unit, c.description, shape_of(table), c.values});
-    interpolation.add(c.name, Number{c.interpolation_error, c.unit,
-                                     "largest difference from a solution in the middle of any cell, with "
-                                     "what the middle does not show, and the largest jump"});
+    interpolation.add(c.name,
+                      Number{c.interpolation_error, c.unit,
+                             "largest difference from a solution within any cell, and the largest jump"});
     elements.add(c.name, Number{c.element_error, c.unit,
                                 "largest error by the size of the elements that a point states"});
     scale.add(c.name, Number{c.scale, c.unit, "what the tolerance is relative to"});
