@@ -309,7 +309,7 @@ SectionBlend blend_on_strips(const ContactSetup& setup, const PairFiles& files, 
     SectionBlend::Stretch& stretch = out.stretches[i];
     const auto off = [&](int row) {
       return std::ranges::any_of(stretch.parts, [&](const SectionBlend::Part& part) {
-        return !inside(*files.sections[part.file], rows.rail_s[row] + part.shift, ds);
+        return !on_strip(*files.sections[part.file], rows.rail_s[row] + part.shift, ds);
       });
     };
     for (; i > 0 && is_gap(i - 1) && stretch.rows > 1 && off(stretch.first); --stretch.rows, ++stretch.first)
