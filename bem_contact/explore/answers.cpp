@@ -7,6 +7,7 @@
 #include "bem_contact/explore/bodies.hpp"
 #include "bem_contact/explore/settings.hpp"
 #include "bem_contact/profile/messages.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/record/file_kinds.hpp"
 #include "bem_contact/record/found.hpp"
 #include "bem_contact/record/hdf5.hpp"
@@ -209,7 +210,11 @@ Reply Answers::names(const std::string& question) {
   return replied(question, [&](const Question& asked) {
     auto list = nlohmann::json::array();
     for (const NamedFile& named : scenes_.names(asked))
-      list.push_back({{"key", named.key}, {"name", named.name}, {"influence", names_influence(named.key)}});
+      list.push_back({{"key", named.key},
+                      {"name", named.name},
+                      {"influence", names_influence(named.key)},
+                      {"advice", names_profile(named.key) ? advice_on_name(named.name)
+                                                          : "Correct the name, or put the file there."}});
     return Reply{json_type, nlohmann::json{{"files", list}}.dump()};
   });
 }

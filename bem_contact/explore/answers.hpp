@@ -42,8 +42,8 @@ public:
   Reply fields(const std::string& question);
   /// The same as fields() with meanings and errors beside the values, in the form of the page.
   Reply described(const std::string& question);
-  /// The files that the scene names, whether they are there or not: {"files": [{"key", "name",
-  /// "influence"}]}. No file need come with the question.
+  /// The files that the scene names: {"files": [{"key", "name", "influence", "advice"}]}, the last for one
+  /// that is not there. No file need come with the question.
   Reply names(const std::string& question);
   /// Whether the solution may read influence files: {"influence": true}.
   Reply needs(const std::string& question);

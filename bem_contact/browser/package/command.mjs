@@ -3,7 +3,7 @@
 import {existsSync, readFileSync, statSync} from "node:fs";
 import path from "node:path";
 import {parseArgs} from "node:util";
-import {questionOf, resultOf, solvedAs} from "./ask.mjs";
+import {ContactError, questionOf, resultOf, solvedAs} from "./ask.mjs";
 import {replyTo} from "./solver.mjs";
 
 const HELP = `Solves a wheel-rail contact, as bem_contact solve does.
@@ -21,13 +21,13 @@ const wrong_input = 2, no_convergence = 3;
 /// The reply of the solver, as an object. Throws ContactError.
 const ask = async (what, scene, options) => resultOf(await replyTo(questionOf(what, scene, options)));
 
-/// The files that the scene names, as far as they are there; of the others the solver says that they are not.
+/// The files that the scene names. Throws ContactError.
 const filesOf = async (scene, changes, folder) => {
   const files = {}, influence = {};
   for (const named of (await ask("names", scene, {changes})).files) {
     const file = path.resolve(folder, named.name);
     if (!existsSync(file) || !statSync(file).isFile())
-      continue;
+      throw new ContactError({kind: "refused", message: `The file '${named.name}' is not there (${named.key} names it) ${named.advice}`});
     if (named.influence)
       influence[named.name] = readFileSync(file);
     else
