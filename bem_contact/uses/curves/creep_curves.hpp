@@ -87,11 +87,11 @@ bool certified(const CreepCurves& all);
 /// What the first solution of a scene finds, and all points keep: so they differ by nothing but their
 /// creepages.
 struct HeldContact {
-  Model model{};                          ///< whose influence numbers
-  double dx = 0, ds = 0;                  ///< size of the elements, mm
-  std::optional<double> lateral;          ///< of a lateral force, mm
-  std::optional<double> layer_compliance; ///< of layer.slope, mm^3/N
-  double offset = 0;                      ///< of free rolling, where motion.xi counts from there
+  Model model{};                               ///< whose influence numbers
+  double dx = 0, ds = 0;                       ///< size of the elements, mm
+  std::optional<double> lateral = {};          ///< of a lateral force, mm
+  std::optional<double> layer_compliance = {}; ///< of layer.slope, mm^3/N
+  double offset = 0;                           ///< of free rolling, where motion.xi counts from there
 
   bool operator==(const HeldContact&) const = default;
 };
