@@ -95,22 +95,24 @@ std::span<const NodeWeight> SolidBody::masters(int node) const {
 void SolidBody::for_each_cell(const std::function<void(const SolidCellView&)>& visit) const {
   using namespace dealii;
   const QGauss<3> rule(impl_->element.degree + 1);
-  FEValues<3> values(impl_->mapping, impl_->element, rule, update_gradients | update_JxW_values);
+  FEValues<3> values(impl_->mapping, impl_->element, rule, update_gradients | update_JxW_values | update_quadrature_points);
   const unsigned n = impl_->element.n_dofs_per_cell(), np = rule.size();
   std::vector<types::global_dof_index> indices(n);
   std::vector<int> nodes(n);
   std::vector<double> weight(np), gradient(3 * n * np);
+  std::vector<Vector3> point(np);
   for (const auto& cell : impl_->dofs.active_cell_iterators()) {
     values.reinit(cell);
     cell->get_dof_indices(indices);
     nodes.assign(indices.begin(), indices.end());
     for (unsigned q = 0; q < np; ++q) {
       weight[q] = values.JxW(q);
+      point[q] = plain(values.quadrature_point(q));
       for (unsigned a = 0; a < n; ++a)
         for (unsigned c = 0; c < 3; ++c)
           gradient[3 * (q * n + a) + c] = values.shape_grad(a, q)[c];
     }
-    visit({nodes, weight, gradient, plain(cell->center())});
+    visit({nodes, weight, gradient, point, plain(cell->center())});
   }
 }
 

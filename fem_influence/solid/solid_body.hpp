@@ -21,6 +21,7 @@ struct SolidCellView {
   std::span<const int> nodes;
   std::span<const double> weight;   ///< [point], mm^3
   std::span<const double> gradient; ///< [point][local node][3], 1/mm
+  std::span<const Vector3> point;   ///< [point]: where it is, mm
   Vector3 centre{};
 };
 

@@ -1,10 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/halfspace/flat_strip.hpp"
-#include "bem_contact/inside/remainder.hpp"
-#include "fem_influence/harmonic/body_stresses.hpp"
 #include "fem_influence/solid/solid_body.hpp"
 #include "fem_influence/solid/solid_check.hpp"
-#include "fem_influence/solid/solid_solver.hpp"
 #include "fem_influence/solid/solid_surface.hpp"
 #include "section_meshes.hpp"
 
@@ -207,135 +204,6 @@ TEST_F(Solid, loads_of_one_mesh_are_reciprocal_and_the_field_is_written) {
   std::ifstream in(folder_ / "field.vtu");
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   EXPECT_THAT(text, AllOf(HasSubstr("VTKFile"), HasSubstr("displacement_mm")));
-}
-
-/// Where stresses are compared: the mean over a cell.
-struct CellStress {
-  Vector3 from, to; ///< corners
-  halfspace::Stress stress;
-};
-
-/// Means of the stresses over each cell, frame (x, s, n) of a flat surface.
-std::vector<CellStress> cell_stresses(const SolidBody& body, const Material& material,
-                                      std::span<const double> u) {
-  const double mu = material.shear_modulus, lambda = 2 * mu * material.poisson / (1 - 2 * material.poisson);
-  std::vector<CellStress> out;
-  body.for_each_cell([&](const SolidCellView& cell) {
-    double gradient[3][3] = {}, volume = 0; // of component c along d
-    const std::size_t n = cell.nodes.size();
-    for (std::size_t q = 0; q < cell.weight.size(); ++q) {
-      volume += cell.weight[q];
-      for (std::size_t a = 0; a < n; ++a)
-        for (std::size_t c = 0; c < 3; ++c)
-          for (std::size_t d = 0; d < 3; ++d)
-            gradient[c][d] += cell.weight[q] * cell.gradient[3 * (q * n + a) + d] *
-                              u[3 * static_cast<std::size_t>(cell.nodes[a]) + c];
-    }
-    for (auto& row : gradient)
-      for (double& value : row)
-        value /= volume;
-    const double size = std::cbrt(volume); // cells near the load are cubes
-    const auto& g = gradient;
-    const double trace = lambda * (g[0][0] + g[1][1] + g[2][2]);
-    CellStress one{.from = {},
-                   .to = {},
-                   .stress = {trace + 2 * mu * g[0][0], trace + 2 * mu * g[1][1], trace + 2 * mu * g[2][2],
-                              mu * (g[0][1] + g[1][0]), mu * (g[0][2] + g[2][0]), mu * (g[1][2] + g[2][1])}};
-    for (std::size_t c = 0; c < 3; ++c)
-      one.from[c] = cell.centre[c] - size / 2, one.to[c] = cell.centre[c] + size / 2;
-    out.push_back(one);
-  });
-  return out;
-}
-
-/// A load vector: a unit pressure on s = 0 .. 1 mm, x = -0.5 .. 0.5 mm.
-SparseColumns pressure_on_an_element(const SolidBody& body) {
-  ColumnSums out(1);
-  std::vector<double> value;
-  body.for_each_contact_face([&](const SolidFaceView& face) {
-    value.resize(face.nodes.size());
-    for_each_common_point(face.corner, {.s_from = 0, .s_to = 1, .x_from = 0, .x_to = 0.5},
-                          [&](const FacePoint& at) {
-                            face.shapes(at.xi, at.eta, value);
-                            for (std::size_t a = 0; a < value.size(); ++a)
-                              for (const auto [node, weight] : body.masters(face.nodes[a]))
-                                out.add(0, 3 * node + component_n, at.weight * weight * value[a]);
-                          });
-  });
-  return out.sparse();
-}
-
-/// Two methods that share no line but the elasticity: a section with waves along x, and hexahedra. The body
-/// is small, so that it has much that a half-space has not.
-TEST_F(Solid, stresses_below_one_element_are_those_of_the_section) {
-  const double size = 8;
-  BodyFile body = block();
-  body.harmonic.half_period = 60;
-  body.strip.station_width = 0.5;
-  write_box(folder_ / "box.msh", {.sides = 2, .size = size, .first = 4});
-  const SolidMesh mesh(folder_ / "box.msh", ContactSurface(straight_line(size), 0));
-  const SurfacePoint middle{0.5, 0};
-  const SolidBody solid(
-      mesh, 2, {.loads = {&middle, 1}, .load_radius = 0.7, .smallest = 0.25, .grading = 0.15, .reach = 8});
-  const SparseColumns load = pressure_on_an_element(solid);
-  std::vector<CellStress> cells;
-  SolidSolver(solid, body.material)
-      .solve(MirrorSymmetry::even, load, load,
-             [&](std::size_t, std::span<const double>, std::span<const double> u) {
-               cells = cell_stresses(solid, body.material, u);
-             });
-
-  inside::SurfaceTractions tractions{.dx = 0.125, .ds = 0.5, .x0 = -0.4375, .columns = 8};
-  tractions.poisson = body.material.poisson;
-  tractions.s = {0.25, 0.75};
-  tractions.pn.assign(16, 1), tractions.px.assign(16, 0), tractions.ps = tractions.px;
-  std::vector<CellStress> chosen; // near the load, but no nearer than half its width, and below its passage
-  for (const CellStress& cell : cells)
-    if (cell.from[2] > 0.45 && cell.to[2] < 4 && cell.from[1] > -1.1 && cell.to[1] < 2.1 && cell.to[0] < 0.51)
-      chosen.push_back(cell);
-  std::vector<inside::BelowSurface> points; // Gauss points of each cell
-  const double gauss = 0.5 / std::sqrt(3.0);
-  for (const CellStress& cell : chosen)
-    for (const double s : {0.5 - gauss, 0.5 + gauss})
-      for (const double z : {0.5 - gauss, 0.5 + gauss})
-        points.push_back({std::lerp(cell.from[1], cell.to[1], s), std::lerp(cell.from[2], cell.to[2], z)});
-  write_block_mesh(folder_ / "section.msh", 0.5, 6, size);
-  std::vector<inside::LoadedInside> loads{
-      {tractions, inside::halfspace_inside(tractions, inside::Side::rail, points)}};
-  add_body_stresses(loads, body, straight_line(size), folder_ / "section.msh",
-                    [](std::size_t, std::size_t) {});
-  const inside::AreaStresses& area = loads[0].stresses.areas.at(0);
-  double worst = 0, halfspace_off = 0;
-  std::size_t deep = 0, within = 0;
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    halfspace::Stress mean, flat;
-    double columns = 0;
-    for (std::size_t j = 0; j < area.x.size(); ++j)
-      if (area.x[j] > chosen[i].from[0] && area.x[j] < chosen[i].to[0]) {
-        ++columns;
-        for (std::size_t k = 4 * i; k < 4 * i + 4; ++k)
-          mean.add(0.25, area.body[k][j]), flat.add(0.25, area.flat[k][j]);
-      }
-    ASSERT_GT(columns, 0) << chosen[i].from[0];
-    const double largest = von_mises(chosen[i].stress);
-    halfspace::Stress off, off_flat;
-    off.add(1 / columns, mean).add(-1, chosen[i].stress);
-    off_flat.add(1 / columns, flat).add(-1, chosen[i].stress);
-    if (chosen[i].from[2] >= 1.5) { // the load is a millimetre wide
-      worst = std::max(worst, von_mises(off) / largest);
-      ++deep;
-    }
-    double stated = 0;
-    for (std::size_t k = 4 * i; k < 4 * i + 4; ++k)
-      stated = std::max(stated, area.error[k]);
-    within += von_mises(off) < stated + 0.003 * largest; // that of the hexahedra
-
-    halfspace_off = std::max(halfspace_off, von_mises(off_flat) / largest);
-  }
-  EXPECT_GE(deep, 20u);
-  EXPECT_LT(worst, 0.01);
-  EXPECT_GT(halfspace_off, 0.03); // the deepest
-  EXPECT_EQ(within, chosen.size());
 }
 
 TEST_F(Solid, curved_sides_off_the_profile_are_curved) {
