@@ -95,7 +95,8 @@ std::span<const NodeWeight> SolidBody::masters(int node) const {
 void SolidBody::for_each_cell(const std::function<void(const SolidCellView&)>& visit) const {
   using namespace dealii;
   const QGauss<3> rule(impl_->element.degree + 1);
-  FEValues<3> values(impl_->mapping, impl_->element, rule, update_gradients | update_JxW_values | update_quadrature_points);
+  FEValues<3> values(impl_->mapping, impl_->element, rule,
+                     update_gradients | update_JxW_values | update_quadrature_points);
   const unsigned n = impl_->element.n_dofs_per_cell(), np = rule.size();
   std::vector<types::global_dof_index> indices(n);
   std::vector<int> nodes(n);
