@@ -91,7 +91,8 @@ const sweepFigures = () => {
     if (names.length && names.every(name => name in data))
       out.push([
         `over-${names.join("-")}`,
-        `${[...new Set(names.map(name => quantityOf(data, name)))].map(words).join(" and ")} over the ${key ? words(key) : "cases"}.`,
+        `${[...new Set(names.map(name => quantityOf(data, name)))].map(words).join(" and ")} over the ${
+          key ? words(key) : "cases"}.`,
         {...sweepFigure(data, keys, key, names), click}
       ]);
   return out;

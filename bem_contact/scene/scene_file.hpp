@@ -281,6 +281,7 @@ struct SceneFile {
     /// `bodies`: beside those of a half-space the real ones, by the influence files that are given.
     StressesIn in = StressesIn::halfspace;
 
+    /// Says whether stresses in the real bodies are asked for.
     bool asks_for_bodies() const { return in == StressesIn::bodies && !depths.empty(); }
     bool operator==(const Stresses&) const = default;
   } stresses; ///< [stresses]

@@ -17,16 +17,18 @@ struct StressField {
   std::vector<halfspace::Stress> stress; ///< frame (x, s, n) of the surface above, MPa, tension positive
   std::vector<double> von_mises, largest_shear; ///< MPa
 
+  /// Adds the next point.
   void add(const halfspace::Stress& stress);
 };
 
 /// Stresses in one of the two real bodies, and those of a half-space at the same points.
 struct StressesInBody {
-  inside::Side side = inside::Side::rail;
-  std::string body;      ///< its name
-  std::vector<double> s; ///< of the points on the body's own profile, mm
-  StressField in_body, halfspace;
-  std::vector<double> error; ///< of the body's solution, as von Mises' stress, MPa; [s][depth]
+  inside::Side side = inside::Side::rail; ///< which of the two
+  std::string body;                       ///< its name
+  std::vector<double> s;                  ///< of the points on the body's own profile, mm
+  StressField in_body;                    ///< of the real body
+  StressField halfspace;                  ///< of a half-space
+  std::vector<double> error;              ///< of the body's solution, as von Mises' stress, MPa; [s][depth]
 };
 
 /// Stresses of a half-space in the rail (patch: in the lower body) at the points asked for.

@@ -51,7 +51,7 @@ class Fit(unittest.TestCase):
         for line in self.json["found"]:
             self.assertIn(line, self.text.stdout)
         with h5py.File(self.file) as h5:
-            self.assertEqual(bytes(h5.attrs["format"]), b"bem_contact fit 1")
+            self.assertEqual(bytes(h5.attrs["format"]), b"bem_contact fit 2")
             for name in ("value", "low", "high", "standard_error", "start"):
                 self.assertEqual(h5[f"parameters/{KEY}/{name}"][()], self.json["parameters"][KEY][name])
             for name in ("creepage", "low", "high"):

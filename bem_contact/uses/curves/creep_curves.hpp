@@ -116,6 +116,7 @@ using CreepSolver =
 std::vector<CreepPoint> creep_points(Sequence& sequence, const SceneFile& scene, const HeldContact& held,
                                      std::span<const Creepages> points,
                                      const std::atomic<bool>* stop = nullptr);
+/// The same by a sequence of its own.
 std::vector<CreepPoint> creep_points(const SceneFile& scene, const HeldContact& held,
                                      std::span<const Creepages> points,
                                      const std::atomic<bool>* stop = nullptr);

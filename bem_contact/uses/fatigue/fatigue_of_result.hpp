@@ -80,12 +80,13 @@ struct PatchFatigue {
   /// Of p0/k, where so much friction is used: limit_below() of shakedown.hpp. In a body, that up to which
   /// this patch shakes down for sure (uses/shakedown), where it is large enough to tell.
   double limit_below = 0;
-  /// In a body: load factors up to which it shakes down for sure, and from which it does not; else nan.
-  double shakedown = std::numeric_limits<double>::quiet_NaN(), shakedown_upper = shakedown;
-  double surface_index = 0; ///< FI_surf of that point
-  double largest_index = 0; ///< of its elements
-  double t_gamma = 0;       ///< what friction dissipates by rolled distance, spin included, N
-  double damage = 0;        ///< by passage, 1
+  /// In a body: the load factor up to which it shakes down for sure; else nan.
+  double shakedown = std::numeric_limits<double>::quiet_NaN();
+  double shakedown_upper = shakedown; ///< that from which it does not
+  double surface_index = 0;           ///< FI_surf of that point
+  double largest_index = 0;           ///< of its elements
+  double t_gamma = 0;                 ///< what friction dissipates by rolled distance, spin included, N
+  double damage = 0;                  ///< by passage, 1
 
   /// Says whether the shakedown limit of the surface is exceeded.
   bool beyond_surface() const { return surface_index > 0; }
@@ -96,12 +97,11 @@ struct PatchFatigue {
 
 /// What one contact does to the rail.
 struct Fatigue {
-  std::vector<double> element_index; ///< FI of each element; -0.5 outside the contact; field
-  std::vector<PatchFatigue> patches; ///< largest normal force first
-  std::optional<StressPeaks> peaks;  ///< where they are asked for and there is contact
-  /// In a body: the largest of a half-space at the same points, and the patch with the least shakedown factor
-  /// without its maps.
-  std::optional<StressPeaks> halfspace_peaks;
+  std::vector<double> element_index;          ///< FI of each element; -0.5 outside the contact; field
+  std::vector<PatchFatigue> patches;          ///< largest normal force first
+  std::optional<StressPeaks> peaks;           ///< where they are asked for and there is contact
+  std::optional<StressPeaks> halfspace_peaks; ///< in a body: those of a half-space at the same points
+  /// In a body: the patch with the least shakedown factor, without its maps.
   std::optional<shakedown::PatchShakedown> worst;
 };
 

@@ -13,9 +13,9 @@ namespace bem_contact {
 
 /// What stands in one column of a table.
 struct SweepColumn {
-  std::string name, unit, description; ///< as all outputs give them
-  record::Role role = record::Role::other;
-  std::string of = {}; ///< another column, where the role asks for one
+  std::string name, unit, description;     ///< as all outputs give them
+  record::Role role = record::Role::other; ///< what it is of another column
+  std::string of = {};                     ///< another column, where the role asks for one
 };
 /// The columns of both tables of a sweep.
 ///
