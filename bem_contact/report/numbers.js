@@ -35,6 +35,8 @@ export const sentenceText = text => unitText(text).replaceAll(" +- ", " ±\u00a0
 export const words = name => names[name] ?? name;
 /// The quantity that a column is of: "Fy" of "right_Fy" and of "Fy_of_run".
 export const quantityOf = (data, name) => data[name]?.of ?? name;
+/// Whether a sweep has columns of both wheels.
+export const hasBothWheels = data => Object.values(data).some(one => one?.role === "right");
 
 /// The lines of a text.
 export const linesOf = texts => texts.text.split("\n");

@@ -7,7 +7,8 @@ import {
 } from "./curve_figures.js";
 import {add, addFigure, draw, idPrefix, into} from "./drawing.js";
 import {
-  VIEWS, entryText, inDegrees, known, linesOf, number, quantityOf, sentenceText, shortName, unitText, valueOf, words
+  VIEWS, entryText, hasBothWheels, inDegrees, known, linesOf, number, quantityOf, sentenceText, shortName, unitText,
+  valueOf, words
 } from "./numbers.js";
 import {correspondence} from "./page_files.js";
 import {data, report} from "./shown.js";
@@ -55,7 +56,7 @@ const addCaseView = () => {
 };
 
 const variedKeys = () => sweptKeys(data).filter(k => new Set(data[k].values).size > 1);
-const ofWheelsets = () => Object.values(data).some(one => one?.role === "right");
+const ofWheelsets = () => hasBothWheels(data);
 const isReplay = () => "solved" in data; // of a vehicle program's run
 const alongTrack = () => variedKeys().includes("position.along") && "vertical" in data;
 const sweepKind = () => ofWheelsets() ? "sweep of wheelsets" : alongTrack() ? "sweep along the track" : "sweep";

@@ -1,7 +1,7 @@
 // The question in words. It needs no library.
 import {contactsOf, countsText, titleOf} from "./answers.js";
 import {sweptKeys} from "./curve_figures.js";
-import {inDegrees, number, valueOf, words} from "./numbers.js";
+import {hasBothWheels, inDegrees, number, valueOf, words} from "./numbers.js";
 import {data, report} from "./shown.js";
 
 /// A value of the scene with all defaults, as a text; "" if it has none.
@@ -49,7 +49,7 @@ export const sceneInWords = () => {
   const out = [],
         contact = contactsOf(data)[0] ?? contactsOf(data.at_equal_forces)[0] ?? contactsOf(data.at_equal_position)[0];
   const quantities = contact?.group.quantities ?? {}, q = name => number(quantities[name]?.values[0]);
-  if (data.right || Object.values(data).some(one => one?.role === "right"))
+  if (data.right || hasBothWheels(data))
     out.push(bothWheels(profile));
   else if (profile("rail"))
     out.push(`A ${sceneValue("position.side") || "right"} wheel ${profile("wheel")} and the nominal radius ` +

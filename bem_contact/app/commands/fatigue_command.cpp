@@ -10,6 +10,7 @@
 #include "bem_contact/record/hdf5.hpp"
 #include "bem_contact/scene/sweep_check.hpp"
 #include "bem_contact/sequence/scene_record.hpp"
+#include "bem_contact/task/engine.hpp"
 #include "bem_contact/uses/fatigue/fatigue_of_result.hpp"
 #include "bem_contact/uses/sweep/sweep_inputs.hpp"
 
@@ -20,7 +21,6 @@
 #include <iostream>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace bem_contact::app {
@@ -60,7 +60,7 @@ ExitCode run(const FatigueArguments& arguments) {
                         {{"--output", arguments.output, OutputForm::whole_file}, {"--csv", arguments.csv}});
   fatigue::FatigueProperties properties = arguments.properties;
   properties.body = arguments.body;
-  const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int threads = static_cast<int>(task::processes_of(0));
   const fatigue::CollectiveFatigue table = fatigue_of(sweep, properties, nullptr, threads);
   const auto write = [&](std::ostream& out) {
     record::write_csv(

@@ -13,6 +13,7 @@
 #include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
+#include "bem_contact/task/engine.hpp"
 #include "bem_contact/uses/shakedown/collective.hpp"
 #include "bem_contact/uses/shakedown/shakedown_in_body.hpp"
 #include "bem_contact/uses/sweep/sweep_inputs.hpp"
@@ -25,7 +26,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <thread>
 
 namespace bem_contact::app {
 
@@ -127,7 +127,7 @@ void of_sweep(const ShakedownArguments& arguments, const SceneText& text) {
   check_values(sweep);
   require_named_outputs(files_read(arguments.scene, sweep), {output_of(arguments)});
   const shakedown::ShakedownProperties properties = arguments.properties();
-  const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int threads = static_cast<int>(task::processes_of(0));
   const auto head = [&] { return headed(shakedown_format, given_sweep(sweep, ""), arguments.output); };
   if (arguments.body.empty())
     return say(shakedown_of(sweep, properties, threads), properties, arguments, head);

@@ -24,16 +24,18 @@ double local_error(const DerivedContact& contact) {
 constexpr double step_shares[] = {1, 0.5}; ///< of the steps of differences
 
 /// The points of differences: for each creepage up and down by the step, and by half of it.
-void add_difference_points(std::vector<Creepages>& points, const Creepages& at, const Creepages& steps) {
+std::vector<Creepages> difference_points(const Creepages& at, const Creepages& steps) {
+  std::vector<Creepages> points;
   for (const CreepKind kind : creep_kinds)
     for (const double share : step_shares)
       for (const double sign : {1, -1}) {
         points.push_back(at);
         points.back()[index(kind)] += sign * share * steps[index(kind)];
       }
+  return points;
 }
 
-/// The points of add_difference_points() with whole steps, on elements twice as large. Their own grids:
+/// The points of difference_points() with whole steps, on elements twice as large. Their own grids:
 /// joined elements of the others differ from point to point, where a contact moves by a row. None where the
 /// scene counts its elements, or where there is no solution on larger ones.
 std::vector<CreepPoint> on_larger_elements(const SceneFile& scene, HeldContact held,
@@ -55,8 +57,7 @@ std::vector<CreepPoint> on_larger_elements(const SceneFile& scene, HeldContact h
 /// By differences of solutions.
 CreepDerivatives by_differences(const DerivedContact& contact, const DerivativePlace& place,
                                 const CreepSolver& solve) {
-  std::vector<Creepages> around;
-  add_difference_points(around, place.at, place.steps);
+  const std::vector<Creepages> around = difference_points(place.at, place.steps);
   const std::vector<CreepPoint> points = solve(contact.held, around),
                                 larger = on_larger_elements(contact.scene, contact.held, around, solve);
   CreepDerivatives out{.by_differences = true};
