@@ -6,6 +6,7 @@
 #include "fem_influence/shared/memory.hpp"
 #include "fem_influence/shared/settings.hpp"
 #include "fem_influence/shared/sparse_columns.hpp"
+#include "fem_influence/solid/patch_functionals.hpp"
 #include "fem_influence/solid/solid_body.hpp"
 #include "fem_influence/solid/solid_solver.hpp"
 #include "fem_influence/solid/solid_surface.hpp"
@@ -14,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <map>
 #include <span>
 #include <string>
 
@@ -25,52 +25,6 @@ namespace {
 /// mm. Samples lie within about this distance of the load. Farther away only the body's motion as a whole
 /// counts, and elements may grow faster.
 constexpr double accurate_distance = 20.0;
-
-std::string place(const SurfacePatch& p) {
-  return fmt::format("s = {:g} .. {:g}, x = {:g} .. {:g} mm", p.s_from, p.s_to, p.x_from, p.x_to);
-}
-
-/// Functionals f(v) = integral over the patch of v . e_j ds dx with the surface's own frame: column 3 P + j,
-/// rows 3 node + component with hanging nodes replaced by their masters. It is the load vector of a unit
-/// traction and, over the area, the mean displacement. One array for both keeps Maxwell-Betti exact. Throws
-/// InputError where the group `contact` does not cover a patch.
-SparseColumns patch_functionals(const SolidBody& body, const ContactSurface& surface,
-                                std::span<const SurfacePatch> patches) {
-  std::vector<std::map<int, Vector3>> of_node(3 * patches.size()); // [column][node]
-  std::vector<double> covered(patches.size(), 0.0), value;
-  body.for_each_contact_face([&](const SolidFaceView& face) {
-    value.resize(face.nodes.size());
-    for (std::size_t p = 0; p < patches.size(); ++p)
-      for_each_common_point(face.corner, patches[p], [&](const FacePoint& at) {
-        covered[p] += at.weight;
-        const auto frame = surface.frame(at.place);
-        face.shapes(at.xi, at.eta, value);
-        for (std::size_t a = 0; a < value.size(); ++a) {
-          if (std::abs(value[a]) < settings::vanishing_shape)
-            continue;
-          for (const auto [node, weight] : body.masters(face.nodes[a]))
-            for (std::size_t j = 0; j < 3; ++j)
-              for (std::size_t c = 0; c < 3; ++c)
-                of_node[3 * p + j][node][c] += at.weight * weight * value[a] * frame[j][c];
-        }
-      });
-  });
-  for (std::size_t p = 0; p < patches.size(); ++p)
-    if (std::abs(covered[p] - patches[p].area()) > settings::uncovered * patches[p].area())
-      throw InputError("The mesh's group 'contact' does not cover the strip",
-                       fmt::format("of the element at {} it has {:g} of {:g} mm^2", place(patches[p]),
-                                   covered[p], patches[p].area()),
-                       "Widen the group, or change [strip] or solid.offsets.");
-  SparseColumns columns;
-  for (const auto& column : of_node) {
-    for (const auto& [node, vector] : column)
-      for (std::size_t c = 0; c < 3; ++c)
-        if (vector[c] != 0)
-          columns.add(3 * node + static_cast<int>(c), vector[c]);
-    columns.end_column();
-  }
-  return columns;
-}
 
 std::vector<SurfacePatch> sample_patches(const SolidNumbers& numbers) {
   std::vector<SurfacePatch> patches;

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iomanip>
 #include <numbers>
+#include <sstream>
 
 namespace bem_contact::fem::test {
 
@@ -122,6 +123,55 @@ void write_ring_mesh(const std::filesystem::path& file, double radius, double en
       quads.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
   }
   write_msh(file, points, lines, quads);
+}
+
+void write_hexahedra(const std::filesystem::path& file, const Hexahedra& mesh) {
+  const auto& [x, y, z, contact, sides, tetrahedron, wider] = mesh;
+  const auto at = [&](std::size_t i, std::size_t j, std::size_t k) {
+    return 1 + i + x.size() * (j + y.size() * k);
+  };
+  std::ostringstream nodes, elements;
+  std::size_t node = 0, element = 0;
+  for (const double c : z)
+    for (const double b : y)
+      for (const double a : x)
+        nodes << ++node << ' ' << a << ' ' << b * wider(a) << ' ' << c << '\n';
+  const auto quad = [&](int group, std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
+    elements << ++element << " 3 2 " << group << ' ' << group << ' ' << a << ' ' << b << ' ' << c << ' ' << d
+             << '\n';
+  };
+  const std::size_t nx = x.size() - 1, ny = y.size() - 1, nz = z.size() - 1;
+  for (std::size_t i = 0; i < nx; ++i)
+    for (std::size_t j = 0; j < ny; ++j) {
+      quad(contact, at(i, j, 0), at(i + 1, j, 0), at(i + 1, j + 1, 0), at(i, j + 1, 0));
+      quad(2, at(i, j, nz), at(i + 1, j, nz), at(i + 1, j + 1, nz), at(i, j + 1, nz));
+    }
+  for (std::size_t k = 0; k < nz; ++k) {
+    for (std::size_t j = 0; j < ny; ++j) {
+      quad(4, at(0, j, k), at(0, j + 1, k), at(0, j + 1, k + 1), at(0, j, k + 1));
+      quad(3, at(nx, j, k), at(nx, j + 1, k), at(nx, j + 1, k + 1), at(nx, j, k + 1));
+    }
+    for (std::size_t i = 0; i < nx; ++i)
+      for (const std::size_t j : {std::size_t{0}, ny})
+        quad(sides, at(i, j, k), at(i + 1, j, k), at(i + 1, j, k + 1), at(i, j, k + 1));
+  }
+  for (std::size_t k = 0; k < nz; ++k)
+    for (std::size_t j = 0; j < ny; ++j)
+      for (std::size_t i = 0; i < nx; ++i) {
+        elements << ++element << " 5 2 10 10";
+        for (const std::size_t c : {k, k + 1})
+          elements << ' ' << at(i, j, c) << ' ' << at(i + 1, j, c) << ' ' << at(i + 1, j + 1, c) << ' '
+                   << at(i, j + 1, c);
+        elements << '\n';
+      }
+  if (tetrahedron)
+    elements << ++element << " 4 2 10 10 " << at(0, 0, 0) << ' ' << at(1, 0, 0) << ' ' << at(0, 1, 0) << ' '
+             << at(0, 0, 1) << '\n';
+  std::ofstream(file) << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n"
+                      << node << '\n'
+                      << nodes.str() << "$EndNodes\n$Elements\n"
+                      << element << '\n'
+                      << elements.str() << "$EndElements\n";
 }
 
 ProfileCurve straight_line(double half, bool up) {

@@ -4,6 +4,7 @@
 #include "bem_contact/profile/profile_curve.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,18 @@ void write_block_mesh(const std::filesystem::path& file, double h, double strip_
 
 /// Rings between radius (contact) and end_radius (held; smaller: a disc, larger: a bore), `around` edges.
 void write_ring_mesh(const std::filesystem::path& file, double radius, double end_radius, int around);
+
+/// Half of a body in hexahedra between these lines, mm: the mirror plane at the first x, the contact at the
+/// first z, held at the last.
+struct Hexahedra {
+  std::vector<double> x, y, z;
+  int contact = 1;                                                    ///< number of the top's group
+  int sides = 3;                                                      ///< and of the sides across y
+  bool tetrahedron = false;                                           ///< adds one
+  std::function<double(double x)> wider = [](double) { return 1.0; }; ///< 1, of y
+};
+/// MSH 2.2.
+void write_hexahedra(const std::filesystem::path& file, const Hexahedra& mesh);
 
 ProfileCurve straight_line(double half, bool up = false);
 /// A full circle, s = 0 at (0, radius), s from -pi R to pi R; hole: walked as a bore, else as a disc.

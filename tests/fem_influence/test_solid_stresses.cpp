@@ -2,6 +2,7 @@
 #include "bem_contact/inside/stresses_inside.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "fem_influence/harmonic/body_stresses.hpp"
+#include "fem_influence/solid/patch_functionals.hpp"
 #include "fem_influence/solid/solid_body.hpp"
 #include "fem_influence/solid/solid_solver.hpp"
 #include "section_meshes.hpp"
@@ -60,25 +61,6 @@ Stress stress_of(const std::array<Vector3, 3>& gradient, const std::array<Vector
   const double trace = lambda * (strain(0, 0) + strain(1, 1) + strain(2, 2));
   return {trace + 2 * mu * strain(0, 0), trace + 2 * mu * strain(1, 1), trace + 2 * mu * strain(2, 2),
           2 * mu * strain(0, 1),         2 * mu * strain(0, 2),         2 * mu * strain(1, 2)};
-}
-
-/// A load vector: a unit pressure on |s| < 0.5 mm, |x| < 0.5 mm, of which the half x > 0 is meshed.
-SparseColumns pressure_on_an_element(const SolidBody& body, const ContactSurface& surface) {
-  ColumnSums out(1);
-  std::vector<double> value;
-  body.for_each_contact_face([&](const SolidFaceView& face) {
-    value.resize(face.nodes.size());
-    for_each_common_point(face.corner, {.s_from = -0.5, .s_to = 0.5, .x_from = 0, .x_to = 0.5},
-                          [&](const FacePoint& at) {
-                            const Vector3 normal = surface.frame(at.place)[component_n];
-                            face.shapes(at.xi, at.eta, value);
-                            for (std::size_t a = 0; a < value.size(); ++a)
-                              for (const auto [node, weight] : body.masters(face.nodes[a]))
-                                for (std::size_t c = 0; c < 3; ++c)
-                                  out.add(0, 3 * node + int(c), at.weight * weight * value[a] * normal[c]);
-                          });
-  });
-  return out.sparse();
 }
 
 /// Cells from 0.5 to 6 mm below the load.
@@ -153,7 +135,10 @@ TEST(SolidStresses, below_one_element_of_the_blade_are_those_of_the_section) {
   const SolidBody solid(
       solid_mesh, 2,
       {.loads = {&middle, 1}, .load_radius = 0.7, .smallest = 0.25, .grading = 0.25, .reach = 8});
-  const SparseColumns load = pressure_on_an_element(solid, surface);
+  const SurfacePatch element{
+      .s_from = -0.5, .s_to = 0.5, .x_from = 0, .x_to = 0.5}; // x < 0 is its mirror image
+  const std::size_t pressure = component_n;
+  const SparseColumns load = select_columns(patch_functionals(solid, surface, {&element, 1}), {&pressure, 1});
   std::vector<Cell> cells;
   SolidSolver(solid, body.material)
       .solve(MirrorSymmetry::even, load, load,
