@@ -31,6 +31,10 @@ constexpr double reach_of_new_lines = 20.0;
 /// 1. How often the second profile is moved to where the first one is: once is enough for a rail that rises,
 /// twice for one that widens too.
 constexpr int shift_steps = 2;
+/// mm. Profiles that differ by less where they lie are not looked for elsewhere.
+constexpr double near_by = 1.0;
+/// 1. A profile has moved to the side where it fits so many times better there. Chosen.
+constexpr double moved_fits = 2;
 
 /// How far two points are apart where the second profile is moved by `shift`.
 double difference(const CurvePoint& a, const CurvePoint& b, Point2 shift) {
@@ -102,12 +106,18 @@ struct Beside {
     const auto top = [](const std::vector<CurvePoint>& points) {
       return std::ranges::min(points, {}, [](const CurvePoint& p) { return p.position.z; }).position.z;
     };
-    shift = {0, top(a) - top(b)};
-    align();
-    for (int i = 0; i < shift_steps; ++i) {
-      shift = middle_shift();
-      align();
+    const double up = top(a) - top(b);
+    move_from({0, up});
+    if (misfit() < near_by)
+      return;
+    Beside best = *this; // a rail that leads to the side: one of its ends lies beside that of the other
+    for (const double aside :
+         {a.front().position.y - b.front().position.y, a.back().position.y - b.back().position.y}) {
+      move_from({aside, up});
+      if (moved_fits * misfit() < best.misfit())
+        best.take(*this);
     }
+    take(best);
   }
 
   double mean() const {
@@ -116,8 +126,35 @@ struct Beside {
       sum += difference(a[i], b[j], shift);
     return sum / static_cast<double>(pairs.size());
   }
+  /// The same between points and the curve, without what the distance of points adds.
+  double mean_off() const {
+    double sum = 0;
+    for (const auto& [i, j] : pairs) {
+      const CurvePoint q = second_.at(refined(a[i], {-shift.y, -shift.z}, second_, b[j].s));
+      sum += difference(a[i], q, shift);
+    }
+    return sum / static_cast<double>(pairs.size());
+  }
 
 private:
+  void take(const Beside& other) { pairs = other.pairs, shift = other.shift; }
+  void move_from(Point2 first) {
+    shift = first;
+    align();
+    for (int i = 0; i < shift_steps; ++i) {
+      shift = middle_shift();
+      align();
+    }
+  }
+  /// mm. mean(), and what of the shorter profile lies beside nothing.
+  double misfit() const {
+    const auto share = [](int first, int last, std::size_t count) {
+      return 1 - static_cast<double>(last - first + 1) / static_cast<double>(count);
+    };
+    return mean() +
+           without_counterpart * std::min(share(pairs.front().first, pairs.back().first, a.size()),
+                                          share(pairs.front().second, pairs.back().second, b.size()));
+  }
   void align() {
     pairs = aligned(a, b, shift);
     leave_out_ends();
@@ -309,7 +346,7 @@ CorrespondingPoints corresponding_points(const std::vector<BodySection>& section
 }
 
 double distance_of_profiles(const ProfileCurve& a, const ProfileCurve& b) {
-  return Beside(a, b).mean();
+  return a.digest() == b.digest() ? 0 : Beside(a, b).mean_off();
 }
 
 ProfileCurve mirrored(const ProfileCurve& profile) {
