@@ -15,6 +15,8 @@ namespace {
 
 /// mm. Points that are laid beside each other are so far apart: a fillet of 3 mm has some.
 constexpr double spacing = 1.0;
+/// mm. The same where only the distance of two profiles is asked for: it takes a fifth of the time.
+constexpr double wide_spacing = 3.0;
 /// mm/rad. What a difference of directions counts: a corner of this radius is told from its neighbours.
 constexpr double direction_length = 10.0;
 /// mm. Pairs that are kept as marks are so far apart: between them arc lengths grow evenly.
@@ -80,9 +82,9 @@ Pairs aligned(const std::vector<CurvePoint>& a, const std::vector<CurvePoint>& b
 }
 
 /// The arc length on `curve` of the point that corresponds to `p`, which is moved by `shift`, near `near`.
-double refined(const CurvePoint& p, Point2 shift, const ProfileCurve& curve, double near) {
-  const double low = std::max(near - spacing, curve.s_begin()),
-               high = std::min(near + spacing, curve.s_end());
+double refined(const CurvePoint& p, Point2 shift, const ProfileCurve& curve, double near,
+               double reach = spacing) {
+  const double low = std::max(near - reach, curve.s_begin()), high = std::min(near + reach, curve.s_end());
   const auto apart = [&](double s) {
     const CurvePoint q = curve.at(s);
     const double turn = direction_length * (p.delta - q.delta);
@@ -101,8 +103,8 @@ struct Beside {
   Pairs pairs;
   Point2 shift;
 
-  Beside(const ProfileCurve& first, const ProfileCurve& second)
-      : a(points_along(first, spacing)), b(points_along(second, spacing)), second_(second) {
+  Beside(const ProfileCurve& first, const ProfileCurve& second, double step = spacing)
+      : a(points_along(first, step)), b(points_along(second, step)), second_(second), step_(step) {
     const auto top = [](const std::vector<CurvePoint>& points) {
       return std::ranges::min(points, {}, [](const CurvePoint& p) { return p.position.z; }).position.z;
     };
@@ -130,7 +132,7 @@ struct Beside {
   double mean_off() const {
     double sum = 0;
     for (const auto& [i, j] : pairs) {
-      const CurvePoint q = second_.at(refined(a[i], {-shift.y, -shift.z}, second_, b[j].s));
+      const CurvePoint q = second_.at(refined(a[i], {-shift.y, -shift.z}, second_, b[j].s, step_));
       sum += difference(a[i], q, shift);
     }
     return sum / static_cast<double>(pairs.size());
@@ -165,7 +167,7 @@ private:
     std::vector<double> y, z;
     for (const auto& [i, j] : pairs) {
       const Point2 apart =
-          a[i].position - second_.at(refined(a[i], {-shift.y, -shift.z}, second_, b[j].s)).position;
+          a[i].position - second_.at(refined(a[i], {-shift.y, -shift.z}, second_, b[j].s, step_)).position;
       std::abs(std::sin(a[i].delta)) > std::sqrt(0.5) ? y.push_back(apart.y) : z.push_back(apart.z);
     }
     return {y.empty() ? shift.y : median(std::move(y)), z.empty() ? shift.z : median(std::move(z))};
@@ -192,6 +194,7 @@ private:
   }
 
   const ProfileCurve& second_;
+  double step_; ///< mm
 };
 
 /// The place on the second profile that belongs to one on the first, mm.
@@ -346,7 +349,7 @@ CorrespondingPoints corresponding_points(const std::vector<BodySection>& section
 }
 
 double distance_of_profiles(const ProfileCurve& a, const ProfileCurve& b) {
-  return a.digest() == b.digest() ? 0 : Beside(a, b).mean_off();
+  return a.digest() == b.digest() ? 0 : Beside(a, b, wide_spacing).mean_off();
 }
 
 ProfileCurve mirrored(const ProfileCurve& profile) {
