@@ -181,9 +181,11 @@ TEST(RailBodies, SayWhatIsWrong) {
                 on_bodies(folder.path(),
                           "load.approach = 0.1\nrail.sections = [ { at = 0, profile = 'a', body = "
                           "'x' }, { at = 0, profile = 'b', body = 'y' } ]\n"
-                          "rail.bodies = [ { name = 'x', stiffness = 5 } ]\n");
+                          "rail.bodies = [ { name = 'x', stiffness = 5e4 } ]\n");
               }),
               HasSubstr("load.force alone is not given"));
+  EXPECT_THAT(message("rail.bodies = [ { name = 'inner', stiffness = 5 } ]\n"),
+              HasSubstr("'inner' lies on 5 N/mm"));
   EXPECT_THAT(message_of([&] {
                 on_bodies(folder.path(),
                           "load.force = 1e4\nrail.sections = [ { at = 5, profile = '60E1', body = "
