@@ -103,6 +103,8 @@ void require_permission(const fs::path& file, const fs::path& output, fs::perms 
   // The system refuses root nothing, so that the bits count too.
   if ((allowed & (owner_write | group_write | others_write)) == none || !system::may_write(file))
     refuse(output, "it exists and is protected from writing", "Give another file, or chmod u+w this one.");
+  if (system::is_held_elsewhere(file))
+    refuse(output, "another program has it open", "Close it there, or give another file.");
 }
 
 void require_folder(const fs::path& file, const fs::path& output) {
