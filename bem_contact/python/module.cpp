@@ -150,8 +150,12 @@ py::object at_path(PythonResult& r, const std::string& path) {
 py::dict units_of(const SceneResult& r) {
   py::dict out;
   const auto add = [&](const auto& table) {
-    for (const auto& q : table)
+    for (const auto& q : table) {
       out[q.name] = q.unit.of(is_shift(r));
+      if constexpr (requires { q.error; })
+        if (q.error)
+          out[record::error_name(q.name).c_str()] = q.unit.of(is_shift(r));
+    }
   };
   out["x"] = "mm";
   add(quantities());

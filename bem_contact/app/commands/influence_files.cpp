@@ -5,6 +5,7 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/printable.hpp"
+#include "bem_contact/base/schema_text.hpp"
 #include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/influence_file.hpp"
@@ -39,7 +40,7 @@ the environment variable CONFORMAL_INFLUENCE, else the one beside this program.)
 constexpr const char* get_help =
     R"(Copies prepared influence files of these bodies here, each verified by its SHA-256, and unpacks them. Example:
     bem_contact influence get 60E1 S1002 -o files
-You should see the files, and for each the line of a scene that uses it. A body has a file for each strip; --strip takes
+You should see the files, and for each the line of a scene in this folder that uses it. A body has a file for each strip; --strip takes
 one of them (`bem_contact influence list` has their names).
 A body that is not prepared is computed by `tools/influence NAME`, where finite elements are installed.)";
 
@@ -139,8 +140,8 @@ void get_files(const FilesRequest& request) {
   for (const PreparedFile& one : wanted) {
     const fs::path target = (fs::path(request.output) / one.file.filename()).lexically_normal();
     put(one, target);
-    print_out("{}: {}\n    {}.influence = \"{}\"\n", target.string(), line_of(one), one.kind,
-              target.string());
+    print_out("{}: {}\n    {}.influence = {}\n", target.string(), line_of(one), one.kind,
+              toml_text(target.generic_string()));
   }
 }
 
