@@ -129,7 +129,8 @@ TEST_F(ProfileCommand, SaysAlongWhichLinesSectionsAreJoined) {
     lines << std::ifstream(table).rdbuf();
     EXPECT_THAT(lines.str(), HasSubstr("body,t,line,section,u,y,z\n1,0,1,1,0,")) << file;
     EXPECT_EQ(run("profile '" + file + "' --json").code, 2) << file;
-    EXPECT_THAT(run("profile '" + file + "' --csv /dev/stdout").out, HasSubstr("body,t,line,section,u,y,z\n"));
+    EXPECT_THAT(run("profile '" + file + "' --csv /dev/stdout").out,
+                HasSubstr("body,t,line,section,u,y,z\n"));
   }
   const std::string page = (folder_ / "lines.html").string();
   ASSERT_EQ(run("profile '" + by_list + "' --plot '" + page + "'").code, 0);
