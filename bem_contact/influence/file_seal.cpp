@@ -4,7 +4,6 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/quick_checksum.hpp"
 #include "bem_contact/base/sha256.hpp"
-#include "bem_contact/profile/standard_profiles.hpp"
 
 #include <cstring>
 #include <fmt/format.h>
@@ -23,16 +22,13 @@ std::ifstream open_file(const std::filesystem::path& file) {
     throw InputError("'" + file.string() + "' is no influence file", "it is not a regular file",
                      "Name a file that fem_influence wrote.");
   std::ifstream in(file, std::ios::binary);
-  const std::string name = file.filename().string();
   if (!in)
-    throw InputError(
-        "The influence file '" + file.string() + "' cannot be opened",
-        file_exists(file) ? "no permission to read it" : "there is no such file",
-        is_standard_profile(name)
-            ? fmt::format("A file is wanted: bem_contact influence get \"{}\" copies prepared ones.", name)
-            : fmt::format("Check its name, compute it from the body file: tools/influence BODY.toml "
-                          "{}, or see which are prepared: bem_contact influence list.",
-                          file.string()));
+    throw InputError("The influence file '" + file.string() + "' cannot be opened",
+                     file_exists(file) ? "no permission to read it" : "there is no such file",
+                     fmt::format("Check its name, compute it from the body file: tools/influence BODY.toml "
+                                 "{0}, or see which are prepared: "
+                                 "bem_contact influence list.",
+                                 file.string()));
   return in;
 }
 
