@@ -202,6 +202,10 @@ OutputTarget output_target(const fs::path& output, OutputForm form) {
   if (!end)
     refuse(output, "it is a link that leads back to itself", "Give another file.");
   const fs::path& file = *end;
+  if (output == "-")
+    refuse(output, "it would be a file of this name, and not the standard output",
+           form == OutputForm::text ? "Give another name, or a device such as /dev/stdout."
+                                    : "Give another name.");
   if (is_too_long(file) || is_too_long(temporary_name(file, "")))
     refuse(output, "the name is too long", "Give a shorter one.");
   std::error_code unknown;
