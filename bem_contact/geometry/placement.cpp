@@ -204,8 +204,19 @@ WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, Tabul
   pair.wheel_pose.angle += pair.deviation.roll;
   if (d.roll != 0 || d.lateral != 0 || d.vertical != 0)
     pair.wheel_pose.origin = centre - turned(tape_radius, pair.wheel_pose.angle);
-  if (surface)
-    look_from_touch(pair, SectionedRail(surface, pair.rail_pose, position.uneven.along));
+  if (!surface)
+    return pair;
+  const double along = position.uneven.along;
+  const SectionedRail on_sections(surface, pair.rail_pose, along);
+  try {
+    look_from_touch(pair, on_sections);
+  } catch (const InputError& error) {
+    const auto [before, behind] = surface->places_about(along);
+    throw InputError(
+        fmt::format("At {:g} mm along the track, between the rail's sections at {:g} and {:g} mm: "
+                    "{}",
+                    along, before, behind, error.what()));
+  }
   return pair;
 }
 

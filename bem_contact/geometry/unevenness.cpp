@@ -31,7 +31,7 @@ double inside_circle(double radius, double half_angle, double angle) {
 } // namespace
 
 void refuse_uneven(const std::string& problem, const std::string& why) {
-  throw InputError(problem, why, "Leave out wheel.flat, wheel.polygon and rail.joint.");
+  throw InputError(problem, why, "Leave out wheel.flat, wheel.polygon, rail.joint and sections of either.");
 }
 
 double depth_of_chord(double radius, double length) {
@@ -54,7 +54,7 @@ UnevenSurfaces::UnevenSurfaces(Unevenness what, double wheel_radius,
   const RailJoint& joint = what_.joint;
   range_ += joint.dip + std::abs(joint.step);
   if (joint.gap > 0 || joint.step != 0)
-    range_ += joint.rounding;
+    range_ += joint.rounding + depth_of_chord(radius_, joint.gap); // so deep the wheel sinks into a gap
   if (wheel) {
     sections_.emplace(std::move(wheel), turned_ - what_.sections_angle);
     range_ += sections_->range();

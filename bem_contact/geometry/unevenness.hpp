@@ -86,7 +86,7 @@ public:
   /// in a gap.
   double rail(double x) const;
   static constexpr double no_rail = 1e4; ///< mm
-  /// The greatest difference of heights that both have together, but for the gap, mm.
+  /// The greatest difference of heights that both have together, with what a wheel sinks into the gap, mm.
   double range() const { return range_; }
 
 private:

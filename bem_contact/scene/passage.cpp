@@ -79,9 +79,12 @@ public:
 
 private:
   [[noreturn]] void refuse_without_places() const {
+    const std::vector<std::string> others = keys_of_table("position"); // these mean something else
     std::vector<std::string> names;
     for (const CaseTable::Column& column : table_.columns)
-      names.push_back(column.key);
+      if (!column.key.starts_with("position.") ||
+          std::ranges::find(others, column.key.substr(9)) == others.end())
+        names.push_back(column.key);
     const auto like = nearest_names(along, names, 1);
     throw InputError(
         fmt::format("'{}' has no column {}", file_.string(), along),

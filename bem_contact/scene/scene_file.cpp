@@ -38,6 +38,20 @@ SceneFile checked(const SceneFile& as_read, const SceneKeysAsRead& read, const S
   return file;
 }
 
+/// The file that an element of a list of sections names, as "rail.sections[3].profile" (directly_named());
+/// null: the key is none of them.
+std::string* file_of_section(SceneFile& scene, const std::string& key) {
+  for (const auto& [name, side] : {std::pair{"rail", &scene.rail}, {"wheel", &scene.wheel}})
+    for (std::size_t i = 0; i < side->sections.size(); ++i) {
+      const std::string path = fmt::format("{}.sections[{}].", name, i);
+      if (key.starts_with(path))
+        return key == path + "profile"     ? &side->sections[i].profile
+               : key == path + "influence" ? &side->sections[i].influence
+                                           : nullptr;
+    }
+  return nullptr;
+}
+
 } // namespace
 
 /// The schema is bound to the two members before it, which therefore stay where they are.
@@ -53,6 +67,14 @@ struct SceneReader::State {
     schema.share("wear");
     schema.read(given.toml, given.source);
     for (const SceneChange& change : changes)
+      set(change);
+  }
+
+  void set(const SceneChange& change) {
+    std::string* of_section = file_of_section(file, change.key);
+    if (const auto* text = std::get_if<std::string>(&change.value); of_section && text)
+      *of_section = *text;
+    else
       schema.set(change.key, change.value, change.line, change.source);
   }
 };
@@ -67,7 +89,7 @@ SceneReader::SceneReader(SceneReader&&) noexcept = default;
 
 void SceneReader::set(const SceneChange& change) {
   try {
-    state_->schema.set(change.key, change.value, change.line, change.source);
+    state_->set(change);
   } catch (...) { // the schema may have taken half of it
     state_ = std::make_unique<State>(given_, changes_);
     throw;
@@ -86,7 +108,8 @@ void SceneReader::reset() {
 }
 
 void SceneReader::require_key(const std::string& key) const {
-  state_->schema.number_for(key, 0);
+  if (!file_of_section(state_->file, key))
+    state_->schema.number_for(key, 0);
 }
 
 SceneFile SceneReader::scene() const {
@@ -181,6 +204,11 @@ bool names_influence(std::string_view key) {
   return key.ends_with("influence");
 }
 
+std::string_view named_by(std::string_view key) {
+  const std::size_t body = key.rfind(".body.profile"), slice = key.rfind(".profile.sections[");
+  return body != key.npos ? key.substr(0, body) : slice != key.npos ? key.substr(0, slice + 8) : "";
+}
+
 std::vector<NamedFile> files_of_key(const std::string& key, const std::string& name,
                                     const std::filesystem::path& folder) {
   if (name.empty())
@@ -191,9 +219,14 @@ std::vector<NamedFile> files_of_key(const std::string& key, const std::string& n
   const std::filesystem::path file = files.front().file;
   if (names_slices(name) && is_regular(file)) {
     try {
-      for (const Slice& slice : read_slices(file).slices)
+      for (const Slice& slice : read_slices(file).slices) {
+        const std::string written = slice.profile.string();
         files.push_back({fmt::format("{}.sections[{}].profile", key, files.size() - 1),
-                         slice.profile.string(), slice.profile});
+                         is_standard_profile(written)
+                             ? written
+                             : slice.profile.lexically_proximate(file.parent_path()).generic_string(),
+                         slice.profile});
+      }
     } catch (const InputError&) { // whoever uses the sections says what is wrong with them
     }
     return files;

@@ -378,9 +378,12 @@ bool names_profile(std::string_view key);
 /// Says the same of influence files.
 bool names_influence(std::string_view key);
 /// What a key names: nothing if `name` is empty. If it is the body file of a profile, also the profile file
-/// that this one names, with the key "rail.profile.body.profile".
+/// that this one names, with the key "rail.profile.body.profile"; if it is a slices file, also those of its
+/// sections, "rail.profile.sections[3].profile".
 std::vector<NamedFile> files_of_key(const std::string& key, const std::string& name,
                                     const std::filesystem::path& folder);
+/// "rail.profile" of both: the key of the file that names a profile; "": the scene itself does.
+std::string_view named_by(std::string_view key);
 /// All that a scene names, table by table.
 std::vector<NamedFile> named_files(const SceneFile& scene);
 /// Returns the paths of these files.

@@ -1,6 +1,8 @@
 #include "bem_contact/scene/sectioned_bodies.hpp"
 
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/messages.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/sections/slices_file.hpp"
 #include "bem_contact/profile/sections/wheel_surface.hpp"
@@ -24,6 +26,8 @@ constexpr double endless = 1e8;
 constexpr double steepest_top = 1.7;
 /// mm. Surfaces that lie closer are in one place: a wheel that touches one touches the other. Chosen.
 constexpr double same_height = 0.5;
+/// 1. So many warnings about the files of sections are said: they are mostly the same. Chosen.
+constexpr std::size_t most_said = 3;
 /// mm. Two bodies that have less in common touch or cross each other. Chosen.
 constexpr double most_common_width = 2;
 
@@ -112,16 +116,16 @@ void require_beside_each_other(const SectionedBodies& bodies, std::size_t a, std
   std::vector<double> places = one.places();
   places.insert(places.end(), other.places().begin(), other.places().end());
   for (const double u : places) {
-    if (u < std::max(one.from(), other.from()) || u > std::min(one.to(), other.to()))
+    if (u < std::max(one.from(), other.from()) || u > std::min(one.to(), other.to()) || u == endless)
       continue;
     const double width = common_width(top_of(one, u), top_of(other, u));
     if (width > most_common_width)
       throw InputError(
           fmt::format("Bodies '{}' and '{}' of the rail lie one upon the other", bodies.names[a],
                       bodies.names[b]),
-          fmt::format("at {:g} mm along the track {:.1f} mm of their width are in one place, and "
-                      "a wheel would be borne twice there",
-                      u, width),
+          fmt::format("{} {:.1f} mm of their width are in one place, and a wheel would be borne twice there",
+                      u == -endless ? "all along the track" : fmt::format("at {:g} mm along the track", u),
+                      width),
           "Give sections that stand beside each other, cut where the other body covers them.");
   }
 }
@@ -146,7 +150,32 @@ std::vector<SectionInfluence> influence_of(const SceneFile& scene,
 
 } // namespace
 
+namespace {
+
+/// Says the first of the warnings about many files, and how many more there are.
+class FirstWarnings {
+public:
+  FirstWarnings() = default;
+  FirstWarnings(const FirstWarnings&) = delete;
+  FirstWarnings& operator=(const FirstWarnings&) = delete;
+  ~FirstWarnings() {
+    const std::vector<std::string> warnings = collected_->warnings();
+    collected_.reset();
+    for (std::size_t i = 0; i < std::min(warnings.size(), most_said); ++i)
+      say(Importance::warning, warnings[i]);
+    if (warnings.size() > most_said)
+      say_warning("and {} about files of other sections (bem_contact profile FILE says what is about one)",
+                  counted(warnings.size() - most_said, "more warning", "more warnings"));
+  }
+
+private:
+  std::optional<CollectedMessages> collected_{std::in_place};
+};
+
+} // namespace
+
 std::vector<SectionsOfBody> sections_of_bodies(const SceneFile& scene, ProfileKind kind) {
+  const FirstWarnings warnings;
   const SceneFile::Side& side = kind == ProfileKind::rail ? scene.rail : scene.wheel;
   std::vector<SectionsOfBody> out;
   if (side.sections.empty() && names_slices(side.profile))

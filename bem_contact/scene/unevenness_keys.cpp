@@ -118,6 +118,9 @@ void check_joint(const SceneFile& f, const Schema& s) {
         s.refuse(key, "the joint has neither gap, step nor dip", "Give one of them in mm.");
     return;
   }
+  if (joint.gap >= f.position.wheel_radius)
+    s.refuse("rail.joint.gap", fmt::format("the wheel's radius is {:g} mm", f.position.wheel_radius),
+             "Give a gap that the wheel passes.");
   if (const double slope = 4 * joint.dip / joint.dip_length; slope > steepest_dip)
     s.refuse("rail.joint.dip", fmt::format("its rails would slope by {:.3g} at the joint", slope),
              fmt::format("Give a longer rail.joint.dip_length: slopes up to {:g} are solved.", steepest_dip));
@@ -153,6 +156,9 @@ const char* key_of_sections(const SceneFile::Side& side, bool rail) {
                                       : nullptr;
 }
 
+/// N/mm. What a rail lies on at the least: under 100 kN it would sink by a metre. A bound.
+constexpr double softest_bed = 100;
+
 void check_bodies(const SceneFile& f, const Schema& s) {
   std::size_t on_springs = 0;
   for (std::size_t i = 0; i < f.rail.bodies.size(); ++i) {
@@ -162,6 +168,11 @@ void check_bodies(const SceneFile& f, const Schema& s) {
                "Give the names that rail.sections have.");
     if (std::ranges::count(f.rail.bodies, body.name, &SceneFile::Body::name) > 1)
       s.refuse("rail.bodies", fmt::format("'{}' is there twice", body.name), "Leave one of them out.");
+    if (const double k = body.stiffness.value_or(0); k > 0 && k < softest_bed)
+      s.refuse(
+          "rail.bodies",
+          fmt::format("'{}' lies on {:g} N/mm, and a wheel would press it down by a metre", body.name, k),
+          fmt::format("Give N/mm, at least {:g}; rails lie on some 1e4.", softest_bed));
     on_springs += body.stiffness ? 1 : 0;
   }
   if (on_springs == 0)

@@ -58,11 +58,14 @@ std::vector<InputRecord> records_of(const std::vector<NamedFile>& files) {
   for (const NamedFile& named : files) {
     const bool standard = names_profile(named.key) && is_standard_profile(named.name);
     inputs.push_back(standard ? InputRecord{named.key, named.name, "", {}} : record_of(named));
-    if (named.key.ends_with(".body.profile")) {
-      // The body file before it names it by a path that only its own folder gives a meaning.
-      inputs.rbegin()[1].content.reset();
-      inputs.back().content.reset();
-    }
+    const std::string_view by = named_by(named.key);
+    if (by.empty())
+      continue;
+    // The file before it names it by a path that only its own folder gives a meaning.
+    inputs.back().content.reset();
+    for (InputRecord& before : inputs)
+      if (before.key == by)
+        before.content.reset();
   }
   return inputs;
 }

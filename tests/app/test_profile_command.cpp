@@ -145,6 +145,9 @@ TEST_F(ProfileCommand, SaysAlongWhichLinesSectionsAreJoined) {
     EXPECT_THAT(run("profile '" + file + "' --csv /dev/stdout").out,
                 HasSubstr("body,t,line,section,u,y,z\n"));
   }
+  write("own.slcs", " 0 1\n 2\n 0\n 1\n 0 'lines.csv'\n 100 '60E1'\n"); // what it names is no output
+  const std::string by_own = write("d.toml", "rail.profile = 'own.slcs'\n" + load).string();
+  EXPECT_THAT(run("profile '" + by_own + "' --csv '" + table + "'").err, HasSubstr("would overwrite"));
   const std::string page = (folder_ / "lines.html").string();
   ASSERT_EQ(run("profile '" + by_list + "' --plot '" + page + "'").code, 0);
   std::ostringstream drawn;

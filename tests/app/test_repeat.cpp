@@ -151,6 +151,27 @@ TEST_F(Repeat, ProfilesNeedNotBeThere) {
   expect_same();
 }
 
+/// A rail of sections: profiles of a list are kept, those of a slices file must lie where they were.
+TEST_F(Repeat, RailsOfSections) {
+  measured();
+  const std::string rest =
+      "wheel.profile = 'S1002'\nload.force = 2e4\nsolver.model = 'halfspace'\nposition.along = 20\n"
+      "rail.smoothing = 8\ngrid = { dx = 1.0, ds = 0.5 }\n";
+  write("s.toml",
+        "rail.sections = [ { at = 0, profile = 'worn_rail.txt' }, { at = 90, profile = '60E1' } ]\n" + rest);
+  solve("s.toml");
+  fs::rename(folder_ / "worn_rail.txt", folder_ / "kept.txt");
+  expect_same();
+  fs::create_directory(folder_ / "all");
+  fs::rename(folder_ / "kept.txt", folder_ / "all" / "worn.txt");
+  write("all/r.slcs", "0 1\n2\n0\n1\n0 'worn.txt'\n90 '60E1'\n");
+  write("s.toml", "rail.profile = 'all/r.slcs'\n" + rest);
+  solve("s.toml");
+  expect_same();
+  std::ofstream(folder_ / "all" / "worn.txt", std::ios::app) << "\n";
+  expect_refused("", {"worn.txt", "has changed since", "rail.profile.sections[0].profile"});
+}
+
 TEST_F(Repeat, TablesNeedNotBeThere) {
   for (const auto& entry : fs::directory_iterator(data + "scenes"))
     if (entry.path().filename().string().starts_with("by_tables"))

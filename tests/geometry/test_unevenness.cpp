@@ -176,6 +176,15 @@ TEST(RailJoint, HasNoRailInItsGap) {
   EXPECT_NEAR(gap[0], gap[3], 1e-9);
 }
 
+/// However wide the gap, the wheel stands on both of its edges, as all of its points say.
+TEST(RailJoint, BearsTheWheelOverAWideGap) {
+  for (const double gap : {30.0, 87.0, 88.0, 100.0, 120.0}) {
+    Unevenness what;
+    what.joint = {.gap = gap, .rounding = 2};
+    EXPECT_NEAR(lowered(what), lowered_by_brute_force(what), 1e-4) << gap;
+  }
+}
+
 /// A real pair, yawed, on tread and flange: over all points of the wheel, at each the height of the rail.
 TEST(Unevenness, OfAYawedWheelTouchesWhereBruteForceTouches) {
   const TabulatedProfile rail(named_profile("60E1", ProfileKind::rail)),

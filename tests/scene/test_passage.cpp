@@ -87,6 +87,8 @@ TEST(Passage, SaysWhatIsWrong) {
   EXPECT_THAT(message("path = 'run.csv'\n", "load.force\n1e4\n"), HasSubstr("has no column position.along"));
   EXPECT_THAT(message("path = 'run.csv'\n", "position.alng,load.force\n0,1e4\n"),
               HasSubstr("Is it the column position.alng?"));
+  EXPECT_THAT(message("path = 'run.csv'\n", "x,position.lateral\n0,1\n"),
+              HasSubstr("say which it is: passage.columns")); // a key of its own is no misspelt one
   EXPECT_THAT(message_of([] {
                 parse_sweep_file(SceneText{uneven_wheel + "[pasage]\nfrom = 0\n", "passage.toml"});
               }),

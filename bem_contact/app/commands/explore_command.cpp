@@ -65,7 +65,7 @@ explore::Start start_of_result(const std::filesystem::path& file) {
   if (const auto model = record::text_at(stored, "model_option"); model && !model->empty())
     start.changes.push_back({"solver.model", std::string(*model)});
   for (const InputRecord& input : stored_inputs(stored))
-    if (input.content && !input.key.ends_with(".body.profile"))
+    if (input.content && named_by(input.key).empty())
       start.files.emplace(
           input.name.substr(0, names_profile(input.key) ? input.name.rfind('#') : input.name.npos),
           *input.content);

@@ -177,8 +177,11 @@ ExitCode run(ProfileArguments arguments) {
                         {{"--csv", arguments.csv}, {"--plot", arguments.plot}});
   if (!arguments.on.empty())
     return run_on(arguments);
-  if (const auto lines = lines_of_file(arguments.name, arguments.reading))
-    return run_of_sections(arguments, *lines);
+  if (const auto scene = scene_of_sections(arguments.name, arguments.reading)) {
+    require_named_outputs(input_files(*scene), {{"--csv", arguments.csv}, {"--plot", arguments.plot}});
+    if (const auto lines = section_lines(*scene, arguments.name))
+      return run_of_sections(arguments, *lines);
+  }
   const ProfileKind kind = kind_of_profile(arguments.name, arguments.kind);
   const MeasuredProfile profile = described_profile(arguments.name, kind, arguments.reading);
   if (!arguments.csv.empty())

@@ -30,7 +30,8 @@ bool is_scene_of_sections(const std::string& name) {
   }
 }
 
-/// Nothing of a file that is no scene, or a scene without sections.
+} // namespace
+
 std::optional<SceneFile> scene_of_sections(const std::string& name, const ProfileReading& reading) {
   if (const auto kind = kind_of_slices(name)) {
     SceneFile scene;
@@ -41,13 +42,6 @@ std::optional<SceneFile> scene_of_sections(const std::string& name, const Profil
     return scene;
   }
   return is_scene_of_sections(name) ? std::optional(read_scene_file(name)) : std::nullopt;
-}
-
-} // namespace
-
-std::optional<SectionLines> lines_of_file(const std::string& name, const ProfileReading& reading) {
-  const std::optional<SceneFile> scene = scene_of_sections(name, reading);
-  return scene ? section_lines(*scene, name) : std::nullopt;
 }
 
 std::string csv_of(const SectionLines& lines) {

@@ -8,9 +8,9 @@
 
 namespace bem_contact::app {
 
-/// What `bem_contact profile` says of a slices file, or of a scene with sections; nothing of any other file.
-/// Throws InputError for sections that make no surface.
-std::optional<SectionLines> lines_of_file(const std::string& name, const ProfileReading& reading);
+/// The scene that a slices file, or a scene with sections, gives `bem_contact profile`; nothing of any other
+/// file.
+std::optional<SceneFile> scene_of_sections(const std::string& name, const ProfileReading& reading);
 
 /// SectionLines::points as CSV, with a first line of names.
 std::string csv_of(const SectionLines& lines);

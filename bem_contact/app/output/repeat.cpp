@@ -80,8 +80,8 @@ public:
         continue;
       if (input.content)
         reader.set({input.key, unpack(input, warnings).string() + part_of(input.name)});
-      else if (input.key.ends_with(".body.profile"))
-        require_unchanged(input, place_of(input, body_of(input).parent_path()));
+      else if (const std::string_view by = named_by(input.key); !by.empty())
+        require_unchanged(input, place_of(input, file_of(by).parent_path()));
       else {
         const fs::path place = place_of(input, folder_);
         require_unchanged(input, place);
@@ -102,9 +102,7 @@ private:
                        "Copy the result file again from where it was whole.");
   }
 
-  fs::path body_of(const InputRecord& points) const {
-    const std::string key =
-        points.key.substr(0, points.key.size() - std::string_view(".body.profile").size());
+  fs::path file_of(std::string_view key) const {
     for (const InputRecord& input : inputs_)
       if (input.key == key)
         return place_of(input, folder_);

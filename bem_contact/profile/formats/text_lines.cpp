@@ -61,17 +61,12 @@ std::vector<double> numbers_of(std::string_view line) {
   }
 }
 
-namespace {
-
-/// "-0,5": one comma, between two digits.
 bool has_decimal_comma(std::string_view word) {
   const auto digit = [&](std::size_t i) { return i < word.size() && word[i] >= '0' && word[i] <= '9'; };
   const auto comma = word.find(',');
   return comma != word.npos && comma > 0 && digit(comma - 1) && digit(comma + 1) &&
          word.find(',', comma + 1) == word.npos && word.find('.') == word.npos;
 }
-
-} // namespace
 
 void require_decimal_points(std::string_view line, const std::string& source, std::size_t number) {
   constexpr std::string_view between = " \t;";

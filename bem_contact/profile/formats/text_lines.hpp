@@ -22,6 +22,9 @@ std::optional<double> parse_number(std::string_view word);
 /// "nan" and "inf" are numbers here, so that require_finite() can refuse them by name.
 std::vector<double> numbers_of(std::string_view line);
 
+/// "-0,5": one comma, between two digits, and no point.
+bool has_decimal_comma(std::string_view word);
+
 /// Throws InputError that names the line if it writes numbers with decimal commas ("0,5 1,5"): a comma
 /// separates numbers here, so that such a line would be read as twice as many.
 void require_decimal_points(std::string_view line, const std::string& source, std::size_t number);

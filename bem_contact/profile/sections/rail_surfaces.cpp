@@ -39,6 +39,14 @@ double RailSurfaces::to() const {
   return std::ranges::max(bodies_, {}, [](const Body& b) { return b.surface->to(); }).surface->to();
 }
 
+std::pair<double, double> RailSurfaces::places_about(double u) const {
+  std::pair out{from(), to()};
+  for (const Body& body : bodies_)
+    for (const double at : body.surface->places())
+      (at <= u ? out.first : out.second) = at <= u ? std::max(out.first, at) : std::min(out.second, at);
+  return out;
+}
+
 const SectionedSurface& RailSurfaces::surface(int body) const {
   return *bodies_[std::ranges::find(order_, body) - order_.begin()].surface;
 }

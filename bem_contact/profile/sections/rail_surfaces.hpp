@@ -3,6 +3,7 @@
 #include "bem_contact/profile/sections/sectioned_surface.hpp"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace bem_contact {
@@ -25,6 +26,9 @@ public:
 
   double from() const; ///< u of the first section of all, mm
   double to() const;   ///< and of the last one
+
+  /// The last section of all at u or before it, and the first one behind it, mm.
+  std::pair<double, double> places_about(double u) const;
 
   /// As SectionedSurface::at().
   SectionedSurface::Point at(double u, double t, int side = 1) const;

@@ -1,11 +1,13 @@
 #include "bem_contact/profile/sections/section_checks.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/median.hpp"
 #include "bem_contact/profile/sections/correspondence.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numeric>
 
 namespace bem_contact {
 
@@ -14,7 +16,13 @@ namespace {
 /// 1. A section is taken as the mirror image of its neighbour where that fits so many times better.
 constexpr double mirrored_fits = 5;
 /// mm. Sections that differ by less from their neighbours are not looked at: rails are nearly symmetric.
-constexpr double looked_at = 1.0;
+/// Inclined by 1:40, or worn by 1 mm at the gauge corner, they are told from their mirror image.
+constexpr double looked_at = 0.1;
+
+/// 1. Where half of a surface is steeper along the track, nothing rolls on it: noses rise 1:10. Chosen.
+constexpr double steepest_surface = 0.5;
+/// mm. Distance of the points that are looked at.
+constexpr double slope_step = 1.0;
 
 /// Sections with the words for them.
 struct NamedSections {
@@ -94,6 +102,35 @@ void require_sections(const std::vector<BodySection>& sections, const SectionsAr
   require_places(all);
   require_features(all);
   require_one_side(all);
+}
+
+void require_gentle(const SectionedSurface& surface, const std::vector<BodySection>& sections,
+                    const SectionsAre& are) {
+  const NamedSections all{sections, are};
+  std::vector<std::size_t> nearest_first(sections.size() - 1); // a wheel's sections are there again and again
+  std::iota(nearest_first.begin(), nearest_first.end(), 0);
+  std::ranges::sort(nearest_first, {}, [&](std::size_t i) { return std::abs(sections[i].at); });
+  for (const std::size_t i : nearest_first) {
+    const double from = sections[i].at, to = sections[i + 1].at, length = (to - from) * are.unit_length;
+    if (!(length > 0))
+      continue; // a kink
+    const auto [first, last] = surface.extent(0.5 * (from + to));
+    const double end = std::nextafter(to, from); // behind it other lines may be there
+    std::vector<double> slopes;
+    for (double t = first; t <= last; t += slope_step) {
+      const SectionedSurface::Point a = surface.at(from, t), b = surface.at(end, t);
+      const Point2 off = b.position - a.position, along = a.by_t + b.by_t;
+      slopes.push_back(std::abs(off.z * along.y - off.y * along.z) / (norm(along) * length));
+    }
+    if (const double slope = median(std::move(slopes)); slope > steepest_surface)
+      throw InputError(fmt::format("Section '{}' at {} lies far off the one before it, '{}' at {}",
+                                   sections[i + 1].profile.name(), all.place(i + 1),
+                                   sections[i].profile.name(), all.place(i)),
+                       fmt::format("half of the surface between them is steeper than {:.2g} along the track, "
+                                   "and up to {:g} a wheel may roll on it",
+                                   slope, steepest_surface),
+                       "Check places, units and files of both.");
+  }
 }
 
 std::vector<std::vector<char>> stretches_there(const std::vector<BodySection>& sections,

@@ -4,8 +4,7 @@
 #include "bem_contact/profile/sections/correspondence.hpp"
 #include "bem_contact/profile/sections/section_checks.hpp"
 #include "bem_contact/profile/sections/section_curve.hpp"
-
-#include <Eigen/Dense>
+#include "bem_contact/profile/sections/section_spline.hpp"
 
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>
@@ -139,46 +138,6 @@ std::vector<double> nodes_of_stretch(const std::vector<BodySection>& sections,
   return out;
 }
 
-/// The slopes of the interpolating spline through values at `x`, as a matrix that is applied to the values.
-Eigen::MatrixXd slopes_of_spline(const std::vector<double>& x) {
-  const int n = static_cast<int>(x.size());
-  Eigen::MatrixXd secant = Eigen::MatrixXd::Zero(n - 1, n), left = Eigen::MatrixXd::Zero(n, n),
-                  right = Eigen::MatrixXd::Zero(n, n - 1);
-  std::vector<double> h(n - 1);
-  for (int i = 0; i + 1 < n; ++i) {
-    h[i] = x[i + 1] - x[i];
-    secant(i, i) = -1 / h[i];
-    secant(i, i + 1) = 1 / h[i];
-  }
-  if (n == 2) {
-    right.setOnes();
-    return right * secant;
-  }
-  if (n == 3) { // the parabola
-    const double sum = h[0] + h[1];
-    right << 1 + h[0] / sum, -h[0] / sum, h[1] / sum, h[0] / sum, -h[1] / sum, 1 + h[1] / sum;
-    return right * secant;
-  }
-  for (int i = 1; i + 1 < n; ++i) {
-    left(i, i - 1) = h[i];
-    left(i, i) = 2 * (h[i - 1] + h[i]);
-    left(i, i + 1) = h[i - 1];
-    right(i, i - 1) = 3 * h[i];
-    right(i, i) = 3 * h[i - 1];
-  }
-  // Not a knot (de Boor 1978, chapter IV).
-  const auto end = [&](int row, int next, int first, int second) {
-    const double sum = h[first] + h[second];
-    left(row, row) = h[second];
-    left(row, next) = sum;
-    right(row, first) = (h[first] + 2 * sum) * h[second] / sum;
-    right(row, second) = h[first] * h[first] / sum;
-  };
-  end(0, 1, 0, 1);
-  end(n - 1, n - 2, n - 2, n - 3);
-  return left.partialPivLu().solve(right) * secant;
-}
-
 void round_features(std::vector<BodySection>& sections) {
   for (BodySection& section : sections)
     for (double& s : section.features)
@@ -231,6 +190,7 @@ SectionedSurface::SectionedSurface(std::vector<BodySection> sections, const Sect
     at_.push_back(section.at);
   marks_ = std::move(points.marks);
   tabulate(sections, marks_, are.approximated);
+  require_gentle(*this, sections, are);
 }
 
 void SectionedSurface::tabulate(const std::vector<BodySection>& sections,
@@ -280,17 +240,18 @@ void SectionedSurface::join(int stretch, bool approximated) {
       continue;
     if (approximated)
       smooth_sections(table, {at_.begin() + first, at_.begin() + last + 1}, first);
-    const Eigen::MatrixXd slopes = slopes_of_spline({at_.begin() + first, at_.begin() + last + 1});
+    const SectionSpline spline({at_.begin() + first, at_.begin() + last + 1});
+    std::vector<Point2> values(last - first + 1);
     for (std::size_t node = 0; node < table[first].size(); ++node)
-      for (int j = first; j <= last; ++j)
-        for (int i = first; i <= last; ++i) {
-          Node& to = table[j][node];
-          const Node& of = table[i][node];
-          const double by = slopes(j - first, i - first);
-          to.position_u = to.position_u + by * of.position;
-          to.before_u = to.before_u + by * of.before;
-          to.after_u = to.after_u + by * of.after;
-        }
+      for (const auto& [value, by_u] : {std::pair{&Node::position, &Node::position_u},
+                                        {&Node::before, &Node::before_u},
+                                        {&Node::after, &Node::after_u}}) {
+        for (int j = first; j <= last; ++j)
+          values[j - first] = table[j][node].*value;
+        const std::vector<Point2> slopes = spline.slopes(values);
+        for (int j = first; j <= last; ++j)
+          table[j][node].*by_u = slopes[j - first];
+      }
     first = last - 1;
   }
 }

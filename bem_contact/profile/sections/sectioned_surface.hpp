@@ -24,6 +24,7 @@ struct BodySection {
 /// What messages say of sections, and how the surface runs between them.
 struct SectionsAre {
   std::string body = "rail", unit = "mm"; ///< of the places
+  double unit_length = 1;                 ///< mm: what a unit of the places is on the surface, nearly
   /// The surface does not go through the sections: along u it is the cubic B-spline whose control points
   /// their points are, where places lie evenly (CONTACT's way 2). In between weights keep straight lines
   /// straight. It is smoother than the sections: each lies at 1/6, 4/6, 1/6 of itself and its neighbours.

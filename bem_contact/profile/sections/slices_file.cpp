@@ -7,6 +7,7 @@
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -19,6 +20,8 @@ namespace {
 constexpr double most_slices = 100000;
 /// 1. Most features.
 constexpr double most_features = 1000;
+/// mm. Places along the track, as `at` of a scene's sections. A bound.
+constexpr double farthest_place = 1e7;
 
 /// The words of a slices file, line by line. A group of values may go on in the next line; what follows them
 /// in their last line is a remark.
@@ -53,6 +56,20 @@ public:
     return value.value_or(none);
   }
   std::string text(const char* what) { return std::string(next_word(what)); }
+  /// After the last value of a group: another number in its line is one that no count knows.
+  void end(const char* what, int count) const {
+    if (word_ < words_.size() && parse_number(words_[word_]))
+      refuse(fmt::format("'{}' follows {}, and the head of the file counts {}", words_[word_], what, count),
+             "Correct the count or the line.");
+  }
+  /// After the last group.
+  void end_of_file(int sections, int features) {
+    while (next_ < lines_.size())
+      if (const auto words = next_line(); !words.empty() && parse_number(words.front()))
+        refuse(fmt::format("the file goes on with '{}', and its head counts {} sections and {} features",
+                           words.front(), sections, features),
+               "Correct the counts, or mark what follows as a remark with %.");
+  }
 
 private:
   std::string_view next_word(const char* what) {
@@ -83,6 +100,10 @@ private:
       std::size_t to = quoted ? line.find(c, from) : line.find_first_of(" \t,\r%!", from);
       if (to == std::string_view::npos)
         to = line.size();
+      const std::string_view whole = line.substr(from, line.find_first_of(" \t\r%!", from) - from);
+      if (!quoted && !(from > 0 && line[from - 1] == ',') && has_decimal_comma(whole))
+        refuse(fmt::format("'{}' may be one number or two", whole),
+               "Write decimal points, and a blank behind a comma between two numbers.");
       words.push_back(line.substr(from, to - from));
       i = quoted ? to + 1 : to;
     }
@@ -101,9 +122,10 @@ struct SlicesHeader {
   bool approximated = false;
 };
 
-int whole_number(SliceLines& in, double value, double most, const char* what) {
-  if (value != std::round(value) || value < 0 || value > most)
-    in.refuse(fmt::format("{} is {:g}", what, value), "Give a whole number.");
+int whole_number(SliceLines& in, double value, double most, const char* what, double least = 0) {
+  if (value != std::round(value) || value < least || value > most)
+    in.refuse(fmt::format("{} is {:g}", what, value),
+              fmt::format("Give a whole number from {:g} to {:g}.", least, most));
   return static_cast<int>(value);
 }
 
@@ -115,7 +137,8 @@ SlicesHeader read_header(SliceLines& in) {
   if (!(out.scale > 0))
     in.refuse(fmt::format("the scale of the places is {:g}", out.scale), "Give mm for each unit, above 0.");
   in.begin();
-  out.slices = whole_number(in, in.number("the number of sections"), most_slices, "the number of sections");
+  out.slices =
+      whole_number(in, in.number("the number of sections"), most_slices, "the number of sections", 1);
   in.begin();
   out.features =
       whole_number(in, in.number("the number of features"), most_features, "the number of features");
@@ -156,10 +179,26 @@ private:
 ProfileCurve profile_of(const std::filesystem::path& file, const Slice& slice, ProfileKind kind,
                         const ProfileReading& reading) {
   try {
+    if (names_slices(slice.profile))
+      throw InputError(fmt::format("'{}' is a slices file", slice.profile.string()),
+                       "each section is one profile", "Name a profile file.");
     return named_profile(slice.profile.string(), kind, {}, reading);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}:{}: {}", file.string(), slice.line, error.what()));
   }
+}
+
+/// Its place and its file, which may be named as on Windows.
+Slice read_slice(SliceLines& in, const SlicesHeader& header, const std::filesystem::path& folder) {
+  in.begin();
+  const double place = in.number("the place of a section");
+  const int line = in.line();
+  std::string profile = in.text("the file of a section");
+  std::ranges::replace(profile, '\\', '/');
+  return {header.scale * (header.offset + place),
+          is_standard_profile(profile) ? std::filesystem::path(profile) : folder / profile,
+          {},
+          line};
 }
 
 } // namespace
@@ -178,15 +217,10 @@ SlicesFile read_slices(const std::filesystem::path& file) {
   SlicesFile all{{}, header.approximated};
   std::vector<Slice>& out = all.slices;
   for (int i = 0; i < header.slices; ++i) {
-    in.begin();
-    const double place = in.number("the place of a section");
-    const int line = in.line();
-    const std::string profile = in.text("the file of a section");
-    out.push_back(
-        {header.scale * (header.offset + place),
-         is_standard_profile(profile) ? std::filesystem::path(profile) : file.parent_path() / profile,
-         {},
-         line});
+    out.push_back(read_slice(in, header, file.parent_path()));
+    if (!(std::abs(out[i].at) <= farthest_place))
+      in.refuse(fmt::format("section {} is at {:g} {}", i + 1, out[i].at, unit),
+                fmt::format("Correct offset, scale or place: at most {:g} {}.", farthest_place, unit));
     if (i > 0 && !(out[i].at > out[i - 1].at))
       in.refuse(fmt::format("section {0} is at {1:g} {3} and the one before it at {2:g} {3}", i + 1,
                             out[i].at, out[i - 1].at, unit),
@@ -195,8 +229,10 @@ SlicesFile read_slices(const std::filesystem::path& file) {
   for (const int parts : {header.kinks, header.jumps})
     if (parts > 0) {
       in.begin();
+      const double most = std::max(header.features, 2);
       for (int k = 0; k < parts; ++k)
-        whole_number(in, in.number("the number of a part"), most_features, "the number of a part");
+        whole_number(in, in.number("the number of a part"), most, "the number of a part", -most);
+      in.end("the numbers of parts", parts);
     }
   for (int i = 0; i < header.slices && header.features > 1; ++i) {
     in.begin();
@@ -208,7 +244,9 @@ SlicesFile read_slices(const std::filesystem::path& file) {
       const double s = in.number("a feature");
       out[i].features.push_back(s < 0 ? std::numeric_limits<double>::quiet_NaN() : s);
     }
+    in.end("the features of a section", header.features);
   }
+  in.end_of_file(header.slices, header.features);
   return all;
 }
 
