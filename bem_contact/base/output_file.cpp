@@ -103,6 +103,8 @@ void require_permission(const fs::path& file, const fs::path& output, fs::perms 
   // The system refuses root nothing, so that the bits count too.
   if ((allowed & (owner_write | group_write | others_write)) == none || !system::may_write(file))
     refuse(output, "it exists and is protected from writing", "Give another file, or chmod u+w this one.");
+  if (system::is_held_elsewhere(file))
+    refuse(output, "another program has it open", "Close it there, or give another file.");
 }
 
 void require_folder(const fs::path& file, const fs::path& output) {
@@ -200,6 +202,10 @@ OutputTarget output_target(const fs::path& output, OutputForm form) {
   if (!end)
     refuse(output, "it is a link that leads back to itself", "Give another file.");
   const fs::path& file = *end;
+  if (output == "-")
+    refuse(output, "it would be a file of this name, and not the standard output",
+           form == OutputForm::text ? "Give another name, or a device such as /dev/stdout."
+                                    : "Give another name.");
   if (is_too_long(file) || is_too_long(temporary_name(file, "")))
     refuse(output, "the name is too long", "Give a shorter one.");
   std::error_code unknown;

@@ -3,9 +3,12 @@
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/c/calls.hpp"
 #include "bem_contact/c/result_values.hpp"
+#include "bem_contact/record/file_kinds.hpp"
+#include "bem_contact/record/json.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/result_record.hpp"
+#include "bem_contact/sequence/scene_record.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
 
@@ -28,7 +31,7 @@ struct conformal_contact {
   std::optional<SceneResult> result;
   std::optional<ResultByPath> by_path; ///< of this result
   std::atomic<bool> stop = false;
-  std::string message, why_no_errors;
+  std::string message, why_no_errors, json;
 };
 
 namespace {
@@ -164,6 +167,14 @@ int conformal_set_text(conformal_contact* handle, int key, const char* value) {
   });
 }
 
+int conformal_set_flag(conformal_contact* handle, int key, int value) {
+  return with(handle, [&] { handle->reader.set({key_of(handle, key), value != 0}); });
+}
+
+int conformal_reset(conformal_contact* handle) {
+  return with(handle, [&] { handle->reader.reset(); });
+}
+
 int conformal_solve(conformal_contact* handle) {
   return with(handle, [&] { solve(handle); });
 }
@@ -196,6 +207,15 @@ int conformal_number(conformal_contact* handle, const char* path, double* value)
     if (!handle->by_path)
       handle->by_path.emplace(result);
     *value = handle->by_path->number(path);
+  });
+}
+
+int conformal_json(conformal_contact* handle, const char** text) {
+  return with(handle, [&] {
+    require(text, "the text");
+    const SceneResult& result = result_of(handle);
+    handle->json = record::to_json(headed(result_format).append(record_of(result, {.fields = false})));
+    *text = handle->json.c_str();
   });
 }
 

@@ -66,6 +66,10 @@ int conformal_key(conformal_contact* handle, const char* name, int* key);
 int conformal_set_number(conformal_contact* handle, int key, double value);
 int conformal_set_numbers(conformal_contact* handle, int key, const double* values, int count); /* a list */
 int conformal_set_text(conformal_contact* handle, int key, const char* value);
+/* For a flag alone: another key refuses it. 0: false, all else: true. */
+int conformal_set_flag(conformal_contact* handle, int key, int value);
+/* Every key is again what the scene says. Indices of keys stay. */
+int conformal_reset(conformal_contact* handle);
 
 /* Solves the scene as it is now. With CONFORMAL_NOT_CONVERGED there may be a result, which is not certified.
  */
@@ -103,6 +107,10 @@ int conformal_total_errors(conformal_contact* handle, double* errors, int count)
  * itself). With CONFORMAL_WRONG_INPUT conformal_message() names the nearest paths, and *value is as it was.
  */
 int conformal_number(conformal_contact* handle, const char* path, double* value);
+
+/* The last result as one JSON object: what `bem_contact solve --json` prints, texts and units with it. *text
+ * is valid until the next call of this function. */
+int conformal_json(conformal_contact* handle, const char** text);
 
 /* The model that the last result was solved with (its name in scenes, as "halfspace"), and why it was this
  * one. *why_this_model is valid until the next conformal_solve(). */

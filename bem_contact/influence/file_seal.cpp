@@ -27,7 +27,7 @@ std::ifstream open_file(const std::filesystem::path& file) {
                      file_exists(file) ? "no permission to read it" : "there is no such file",
                      fmt::format("Check its name, compute it from the body file: tools/influence BODY.toml "
                                  "{0}, or see which are prepared: "
-                                 "bem_contact influence list",
+                                 "bem_contact influence list.",
                                  file.string()));
   return in;
 }

@@ -5,9 +5,15 @@
 #include "bem_contact/base/program.hpp"
 #include "bem_contact/base/schema.hpp"
 #include "bem_contact/base/sha256.hpp"
+#include "bem_contact/influence/requirements.hpp"
+#include "bem_contact/profile/profile_kind.hpp"
 
+#include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <set>
 
 namespace bem_contact {
 
@@ -21,7 +27,7 @@ constexpr const char* places[] = {"../share/conformal_contact/influence", "../da
                                   "../../data/influence"};
 
 Schema schema_of(PreparedFile& one, std::string& name) {
-  Schema s("entry of an index of influence files");
+  Schema s("prepared influence file");
   s.add("file.name", name, "The influence file, in this folder", {.needed = true});
   s.add("file.body", one.body, "Name of the standard, or of the body", {.needed = true});
   s.add("file.kind", one.kind, "rail or wheel", {.needed = true});
@@ -36,6 +42,21 @@ Schema schema_of(PreparedFile& one, std::string& name) {
   s.add("file.sha256", one.sha256, "Digest of the file", {.needed = true});
   s.add("file.version", one.version, "Version of the program that made it", {.needed = true});
   return s;
+}
+
+/// Throws InputError for an entry that leads out of the folder, or is not of this kind of files.
+void require_entry(const PreparedFile& one, const std::string& name, const std::string& index) {
+  const auto refuse = [&](const std::string& why) {
+    throw InputError(fmt::format("The index '{}' has a wrong entry of the file '{}'", index, name), why,
+                     "Make the folder again: tools/makers/library.");
+  };
+  const fs::path path = name;
+  if (path.empty() || path != path.filename() || path == "." || path == "..")
+    refuse("prepared files lie in the folder of their index");
+  if (one.kind != name_of(ProfileKind::rail) && one.kind != name_of(ProfileKind::wheel))
+    refuse(fmt::format("its kind is '{}', not rail or wheel", one.kind));
+  if (one.from >= one.to)
+    refuse(fmt::format("its strip goes from s = {:g} to {:g} mm", one.from, one.to));
 }
 
 [[noreturn]] void refuse_altered(const PreparedFile& prepared, const std::string& why) {
@@ -58,9 +79,13 @@ fs::path prepared_folder() {
 
 std::vector<PreparedFile> prepared_files(const fs::path& folder) {
   const std::string index = (folder / prepared_index).string();
+  if (!file_exists(index))
+    throw InputError(fmt::format("The folder '{}' has no prepared influence files", folder.string()),
+                     fmt::format("there is no {} in it", prepared_index),
+                     "Name one that tools/makers/library has made, or that came with a release.");
   std::vector<PreparedFile> files;
   std::vector<std::string> names;
-  Schema schema("an index of influence files");
+  Schema schema("index of influence files");
   schema.add("file",
              TableList{[&] {
                          files.clear();
@@ -70,12 +95,17 @@ std::vector<PreparedFile> prepared_files(const fs::path& folder) {
                        "[{ name = \"60E1_gauge_corner.h5\", body = \"60E1\", ... }]"},
              "The files of this folder");
   schema.read(read_text_file(index, "index of influence files"), index);
+  if (files.empty())
+    throw InputError(fmt::format("The folder '{}' has no prepared influence files", folder.string()),
+                     fmt::format("its {} names none", prepared_index),
+                     "Name one that tools/makers/library has made, or that came with a release.");
+  std::set<std::string> seen;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    const fs::path name = names[i];
-    if (name.empty() || name != name.filename() || name == "." || name == "..")
-      throw InputError(fmt::format("The index '{}' names the file '{}'", index, names[i]),
-                       "prepared files lie in the folder of their index", "Make the folder again.");
-    files[i].file = folder / name;
+    require_entry(files[i], names[i], index);
+    if (!seen.insert(names[i]).second)
+      throw InputError(fmt::format("The index '{}' names the file '{}' twice", index, names[i]),
+                       "one strip has one file", "Make the folder again: tools/makers/library.");
+    files[i].file = folder / names[i];
   }
   return files;
 }
@@ -84,10 +114,23 @@ std::string verified_bytes(const PreparedFile& prepared) {
   std::string bytes = read_bytes(prepared.file.string(), "prepared influence file");
   if (bytes.size() != static_cast<std::size_t>(prepared.bytes))
     refuse_altered(prepared, fmt::format("it has {} bytes, not {}", bytes.size(), prepared.bytes));
-  if (const std::string digest = sha256(bytes); digest != prepared.sha256)
-    refuse_altered(prepared, fmt::format("its SHA-256 is {}..., not {}...", digest.substr(0, 12),
-                                         prepared.sha256.substr(0, 12)));
+  std::string named = prepared.sha256; // some programs write digests in capital letters
+  std::ranges::transform(named, named.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (const std::string digest = sha256(bytes); digest != named)
+    refuse_altered(prepared,
+                   fmt::format("its SHA-256 is {}..., not {}...", digest.substr(0, 12), named.substr(0, 12)));
   return bytes;
+}
+
+void require_as_described(const PreparedFile& prepared, const InfluenceStrip& strip) {
+  constexpr double rounding = 1e-6; // mm, of numbers in an index
+  const std::string kind = name_of(lies_above(strip) ? ProfileKind::wheel : ProfileKind::rail);
+  const auto [from, to] = strip.ends();
+  if (kind != prepared.kind || std::abs(from - prepared.from) > rounding ||
+      std::abs(to - prepared.to) > rounding)
+    refuse_altered(prepared,
+                   fmt::format("it is of a {} from s = {:g} to {:g} mm, not of a {} from {:g} to {:g} mm",
+                               kind, from, to, prepared.kind, prepared.from, prepared.to));
 }
 
 } // namespace bem_contact

@@ -7,6 +7,8 @@
 
 namespace bem_contact {
 
+struct InfluenceStrip;
+
 /// An influence file that somebody has made before, as the index of its folder describes it: `index.toml`
 /// (data/INFLUENCE_FORMAT.md, "Prepared files").
 struct PreparedFile {
@@ -28,11 +30,13 @@ inline constexpr const char* prepared_variable = "CONFORMAL_INFLUENCE";
 /// that of the sources. "": none has an index.
 std::filesystem::path prepared_folder();
 
-/// The files of a folder, in the order of its index. Throws InputError for an index that is missing or wrong,
-/// and for an entry that leads out of the folder.
+/// The files of a folder, in the order of its index. Throws InputError for an index that is missing, empty or
+/// wrong, and for an entry that leads out of the folder.
 std::vector<PreparedFile> prepared_files(const std::filesystem::path& folder);
 
 /// The bytes of a prepared file. Throws InputError where they are not those that the index describes.
 std::string verified_bytes(const PreparedFile& prepared);
+/// Throws InputError unless the file that was read is of the kind and the strip of its index.
+void require_as_described(const PreparedFile& prepared, const InfluenceStrip& strip);
 
 } // namespace bem_contact

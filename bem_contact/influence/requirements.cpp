@@ -31,11 +31,12 @@ void require_material(const InfluenceDescription& f, const Material& material) {
                      "Compute them for this material, or give the body theirs.");
 }
 
+bool lies_above(const InfluenceStrip& strip) {
+  return std::cos(strip.stations[strip.stations.size() / 2].delta) < 0;
+}
+
 void require_order(const InfluenceStrip& lower, const InfluenceStrip& upper) {
-  const auto faces_down = [](const InfluenceStrip& f) { // its material above
-    return std::cos(f.stations[f.stations.size() / 2].delta) < 0;
-  };
-  if (faces_down(lower) && !faces_down(upper))
+  if (lies_above(lower) && !lies_above(upper))
     throw InputError("The two influence files are exchanged",
                      fmt::format("the material of '{}', which is given as the rail, lies above its surface; "
                                  "that of '{}', given as the wheel, below",

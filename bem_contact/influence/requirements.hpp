@@ -20,6 +20,8 @@ public:
 void require_profile(const InfluenceDescription& function, const std::string& profile, std::uint64_t digest);
 /// It was computed for this material.
 void require_material(const InfluenceDescription& function, const Material& material);
+/// Its material lies above its surface, as that of a wheel on a rail.
+bool lies_above(const InfluenceStrip& strip);
 /// The two files are not exchanged: the lower body (rail) has its material below, the upper one (wheel)
 /// above.
 void require_order(const InfluenceStrip& lower, const InfluenceStrip& upper);

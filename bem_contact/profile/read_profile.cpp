@@ -41,6 +41,20 @@ void require_tape_circle(std::string_view name, double its, const ProfileReading
                      fmt::format("Give position.tape_circle = {:g} with this wheel.", its));
 }
 
+/// The material of its body lies below.
+bool faces_up(const ProfileCurve& curve) {
+  return std::cos(curve.at((curve.s_begin() + curve.s_end()) / 2).delta) > 0;
+}
+
+/// Of a body file: that of a rail has its material below. Nothing: it is none, or a wrong one.
+std::optional<ProfileKind> kind_of_body(const std::filesystem::path& file) {
+  try {
+    return faces_up(body_profile(read_body_file(file))) ? ProfileKind::rail : ProfileKind::wheel;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
 /// The contact curve of a body file; a rail is walked towards +y, a wheel towards -y.
 ProfileCurve profile_of_body(const std::filesystem::path& file, ProfileKind kind,
                              const ProfileReading& reading) {
@@ -52,8 +66,7 @@ ProfileCurve profile_of_body(const std::filesystem::path& file, ProfileKind kind
         fmt::format("{} names the body file {} as its profile", file.string(), body.body.profile),
         "the profile of a body is a standard or a file of points", "Name that.");
   ProfileCurve curve = body_profile(body);
-  const double delta = curve.at((curve.s_begin() + curve.s_end()) / 2).delta;
-  if ((std::cos(delta) > 0) != (kind == ProfileKind::rail))
+  if (faces_up(curve) != (kind == ProfileKind::rail))
     throw InputError(fmt::format("The body in {} is {} body", file.string(),
                                  kind == ProfileKind::rail ? "an upper" : "a lower"),
                      fmt::format("a {} is asked for", name_of(kind)),
@@ -309,6 +322,8 @@ ProfileKind kind_of_profile(const std::string& name, const std::string& kind) {
     return *its;
   if (!file_exists(file))
     named_profile(name, ProfileKind::rail); // it says that there is no such file
+  if (const auto its = file.extension() == ".toml" ? kind_of_body(file) : std::nullopt)
+    return *its;
   throw InputError(
       fmt::format("'{}' is the profile of a rail or of a wheel", name),
       "neither its name nor its ending says which",

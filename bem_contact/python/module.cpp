@@ -149,16 +149,17 @@ py::object at_path(PythonResult& r, const std::string& path) {
 /// The unit of every number, array and entry of a patch.
 py::dict units_of(const SceneResult& r) {
   py::dict out;
-  const auto add = [&](const auto& table) {
-    for (const auto& q : table)
-      out[q.name] = q.unit.of(is_shift(r));
-  };
   out["x"] = "mm";
-  add(quantities());
-  add(patch_quantities());
-  add(step_quantities());
-  add(row_quantities());
-  add(element_quantities());
+  const auto add = [&](std::string_view name, const Unit& unit, const auto&...) {
+    out[py::str(name)] = unit.of(is_shift(r));
+  };
+  with_errors(quantities(), add);
+  with_errors(patch_quantities(), add);
+  with_errors(step_quantities(), add);
+  for (const auto& q : row_quantities())
+    add(q.name, q.unit);
+  for (const auto& q : element_quantities())
+    add(q.name, q.unit);
   return out;
 }
 

@@ -37,7 +37,7 @@ struct FileKind {
 inline constexpr FileKind file_kinds[] = {
     {result_format, "A result of bem_contact", "result"},
     {comparison_format, "A comparison of bem_contact", "comparison", "a comparison", "compare"},
-    {sweep_format, "A sweep of bem_contact; cases/000012/ has the fields of a case", "sweep",
+    {sweep_format, "A sweep of bem_contact; cases/000000/ has the fields of case 0", "sweep",
      "the cases of a sweep", "sweep"},
     {sweep_part_format, "Some cases of a sweep; bem_contact sweep --join makes the whole of its parts"},
     {wheelset_format, "Both wheels of a wheelset", "wheelset", "both wheels of a wheelset", "wheelset"},

@@ -31,6 +31,14 @@ std::string cases_text(const Record& r) {
   return counts_text(counts);
 }
 
+/// A number with its unit, or the text for which it stands.
+std::string text_at(const Field& field, std::size_t at) {
+  const double value = field.values[at];
+  return value >= 0 && value < static_cast<double>(field.choices.size())
+             ? fmt::format("'{}'", field.choices[static_cast<std::size_t>(value)])
+             : text_of({value, std::nan(""), field.unit});
+}
+
 /// "position.lateral 5 mm (case 3)": keys that were swept over have a dot. Of more than two only the case's
 /// number.
 std::string case_text(const Record& r, std::size_t at) {
@@ -41,8 +49,7 @@ std::string case_text(const Record& r, std::size_t at) {
     if (const auto* field = std::get_if<Field>(&entry.content);
         field && entry.name.find('.') != std::string::npos && at < field->values.size() &&
         ++keys <= most_keys)
-      out += fmt::format("{}{} {}", out.empty() ? "" : ", ", entry.name,
-                         text_of({field->values[at], std::nan(""), field->unit}));
+      out += fmt::format("{}{} {}", out.empty() ? "" : ", ", entry.name, text_at(*field, at));
   return keys == 0 || keys > most_keys ? fmt::format("case {}", at) : fmt::format("{} (case {})", out, at);
 }
 
@@ -52,7 +59,7 @@ std::string range_text(const Record& r, const char* path, const std::string& wor
   if (!least || !most)
     return "";
   const auto low = *stated_at(r, path, *least), high = *stated_at(r, path, *most);
-  if (low.value == high.value)
+  if (text_of(low) == text_of(high)) // as they are shown
     return fmt::format("{} is {} in all cases.", words, text_of(high));
   return fmt::format("{} goes from {} to {}; it is largest at {}.", words, text_of(low), text_of(high),
                      case_text(r, *most));

@@ -102,6 +102,11 @@ void SceneReader::set_number(const std::string& key, double number) {
   set({key, state_->schema.number_for(key, number)});
 }
 
+void SceneReader::reset() {
+  changes_.clear();
+  state_ = std::make_unique<State>(given_, changes_);
+}
+
 void SceneReader::require_key(const std::string& key) const {
   if (!file_of_section(state_->file, key))
     state_->schema.number_for(key, 0);

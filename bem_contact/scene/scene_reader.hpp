@@ -24,6 +24,8 @@ public:
 
   /// Does the same for a number, which the key may want whole or as a flag (Schema::number_for).
   void set_number(const std::string& key, double number);
+  /// Every key is again what the text says.
+  void reset();
   /// Throws InputError for an unknown key, with the nearest ones.
   void require_key(const std::string& key) const;
 

@@ -66,12 +66,35 @@ class Benchmark(unittest.TestCase):
                               capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("gauge_corner, pmax: 2010 MPa", done.stdout)
+
+    def test_a_wrong_form_is_refused(self):
+        """Each says which line, and what; nothing is compared."""
+        head = "# me\n# how\ncase,quantity,unit,value,bound\n"
+        wrong = {head + "tread,colour,1,3,\n": ":4: the benchmark has no 'colour'", head + "tred,pmax,MPa,3,\n": "Did you mean tread?",
+                 head + "tread,pmax,GPa,1,\n": "'GPa'", head + "tread,pmax,MPa,nan,\n": "'nan'", head + "tread,pmax,MPa,inf,\n": "'inf'",
+                 head + "tread,pmax,MPa,a,\n": "'a'", head + "tread,pmax,MPa,1,-1\n": "'-1'", head + "tread,pmax,MPa,1000,5,1\n": "6 cells",
+                 head + "tread,pmax,MPa,1,\ntread,pmax,MPa,2,\n": "twice", head: "not filled in", head.replace(",bound", ""): "other columns",
+                 head.replace(",", ";"): "other columns", head[11:]: "says nothing of who", "\xff": "says nothing"}
         with tempfile.TemporaryDirectory() as folder:
-            wrong = Path(folder) / "form.csv"
-            wrong.write_text("case,quantity,unit,value,bound\ntread,colour,1,3,\n")
-            done = subprocess.run([ROOT / "tools" / "makers" / "benchmark", "--compare", wrong], capture_output=True, text=True)
-            self.assertNotEqual(done.returncode, 0)
-            self.assertIn("no 'colour'", done.stderr)
+            for text, why in wrong.items():
+                form = Path(folder) / "form.csv"
+                form.write_text(text)
+                done = subprocess.run([ROOT / "tools" / "makers" / "benchmark", "--compare", form], capture_output=True, text=True)
+                self.assertEqual((done.returncode, done.stdout), (2, ""), text)
+                self.assertIn(why, done.stderr)
+            form.write_bytes(("\ufeff" + head + " tread , pmax ,MPa, 1000 ,\r\n").encode())  # as spreadsheets write it
+            done = subprocess.run([ROOT / "tools" / "makers" / "benchmark", "--compare", form], capture_output=True, text=True)
+            self.assertIn("tread, pmax: 1000 MPa", done.stdout)
+
+    def test_the_page_is_made_without_solving(self):
+        page = (DATA / "RESULTS.md").read_text()
+        with tempfile.TemporaryDirectory() as folder:
+            usual, self.maker.DATA = self.maker.DATA, Path(folder)
+            for name in ("results.csv", "contributed", "scenes"):
+                (Path(folder) / name).symlink_to(DATA / name)
+            self.maker.write_page()
+            self.maker.DATA = usual
+            self.assertEqual((Path(folder) / "RESULTS.md").read_text(), page)
 
 
 if __name__ == "__main__":

@@ -225,8 +225,25 @@ TEST_F(InfluenceCommand, PreparedFilesAreCopiedByTheNamesOfStandards) {
   EXPECT_EQ(text_of(folder_ / "got/small_rail.h5"), "mine");
   refused(run("influence get 56E1 -o " + path("none") + from),
           {"56E1", "60E1, S1002", "tools/influence \"56E1\""});
+  refused(run("influence get 61E1 -o " + path("none") + from), {"61E1", "Did you mean", "60E1"});
+  EXPECT_THAT(run("influence list UIC60 '60 E1'" + from).out,
+              testing::Not(HasSubstr("\nsmall_rail"))); // once
   refused(run("influence get 60E1 --strip tread -o " + path("none") + from), {"tread", "gauge corner"});
   refused(run("influence get 60E1 -o " + path("none") + " --folder " + path("nowhere")), {"index.toml"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "none"));
+}
+
+/// What an index says of a body by another of its names, and what is wrong with the second file, is seen
+/// before the first is copied.
+TEST_F(InfluenceCommand, AFolderByHandIsReadByAnyNameAndCopiedAsAWhole) {
+  std::filesystem::copy(CONFORMAL_SOURCE_DIR "/data/influence", folder_ / "own");
+  std::string index = text_of(folder_ / "own/index.toml");
+  index.replace(index.find("60E1"), 4, "UIC60");
+  write("own/index.toml", index);
+  const std::string from = " --folder " + path("own");
+  EXPECT_EQ(run("influence get 60E1 -o " + path("got") + from).code, 0);
+  std::filesystem::resize_file(folder_ / "own/small_wheel.h5", 1000);
+  refused(run("influence get 60E1 S1002 -o " + path("none") + from), {"small_wheel.h5", "1000 bytes"});
   EXPECT_FALSE(std::filesystem::exists(folder_ / "none"));
 }
 

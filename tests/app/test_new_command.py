@@ -65,6 +65,12 @@ class New(unittest.TestCase):
         self.assertRegex(both, r"(?m)^rail_inclination = 0 ")
         self.assertRegex(both, r"(?m)^left_rail.inclination = 0.025 ")
 
+    def test_a_name_may_have_quotes(self):
+        for name in ('it is a "wheel".txt', "back\\slash.txt"):
+            (self.folder / name).write_text(points_of("S1002"))
+            self.call("check", self.new("--curve", "300", wheel=name, coarse=False))
+            self.call("new", "--crossing", "9", "--wheel", name, "--rail", "60E1", "-o", f"crossing of {name}.toml")
+
     def test_a_crossing_by_its_angle(self):
         """Plain rail, a wing that leads away, a nose: the wheel sinks between the two and rises again, and each place is certified."""
         file = self.folder / "crossing.toml"

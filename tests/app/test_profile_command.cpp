@@ -110,6 +110,19 @@ TEST_F(ProfileCommand, SaysThatAWornRailIsInclined) {
       HasSubstr("(about 1:20): the file is already inclined; give position.rail_inclination = 0 with it"));
 }
 
+/// A body file says whether it is a rail or a wheel.
+TEST_F(ProfileCommand, TakesTheKindOfABody) {
+  for (const char* kind : {"rail", "wheel"}) {
+    const std::string body =
+        write(std::string(kind) + ".toml", "[body]\nkind = \"" + std::string(kind) + "\"\nprofile = \"" +
+                                               (kind[0] == 'r' ? "60E1" : "S1002") +
+                                               "\"\n[strip]\nfrom = -5\nto = 5\nstation_width = 0.5\n")
+            .string();
+    const Outcome r = run("profile '" + body + "'");
+    EXPECT_EQ(r.code, 0) << r.err;
+  }
+}
+
 /// A scene names its sections in a list or by a slices file; the words in it decide nothing.
 TEST_F(ProfileCommand, SaysAlongWhichLinesSectionsAreJoined) {
   const std::string slices = " 0 1 S_OFFSET, S_SCALE\n 2 NSLC\n 0 0 0 NFEAT\n 1\n 0 '60E1'\n 100 '60E1'\n",
@@ -129,6 +142,8 @@ TEST_F(ProfileCommand, SaysAlongWhichLinesSectionsAreJoined) {
     lines << std::ifstream(table).rdbuf();
     EXPECT_THAT(lines.str(), HasSubstr("body,t,line,section,u,y,z\n1,0,1,1,0,")) << file;
     EXPECT_EQ(run("profile '" + file + "' --json").code, 2) << file;
+    EXPECT_THAT(run("profile '" + file + "' --csv /dev/stdout").out,
+                HasSubstr("body,t,line,section,u,y,z\n"));
   }
   write("own.slcs", " 0 1\n 2\n 0\n 1\n 0 'lines.csv'\n 100 '60E1'\n"); // what it names is no output
   const std::string by_own = write("d.toml", "rail.profile = 'own.slcs'\n" + load).string();

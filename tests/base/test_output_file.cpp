@@ -201,6 +201,7 @@ TEST(OutputFile, RefusesWhatCannotBeWrittenBeforeAnythingIsComputed) {
     EXPECT_THAT(refused(folder / "."), HasSubstr("it is a folder"));
     EXPECT_THAT(refused(folder / "read-only/a"), HasSubstr("there is no folder"));
     EXPECT_THAT(refused(""), HasSubstr("no file"));
+    EXPECT_THAT(refused("-"), HasSubstr("not the standard output"));
     EXPECT_EQ(refused(folder / "new"), "no error");
   }
   EXPECT_EQ(text_of(file), "old");

@@ -252,6 +252,31 @@ TEST(C, SaysWhatIsWrong) {
   EXPECT_THAT(refused(conformal_warning(contact.get(), 7, nullptr)), HasSubstr("null pointer"));
 }
 
+/// What was set is forgotten; a flag is no number. The JSON is that of the result.
+TEST(C, KeysAreResetAndTheAnswerIsThatOfTheProgram) {
+  const Handle contact = open_file(hertz);
+  const int force = key_of(contact, "load.force"), flag = key_of(contact, "motion.frictionless");
+  const auto json = [&] {
+    const char* text = nullptr;
+    EXPECT_EQ(conformal_solve(contact.get()), CONFORMAL_OK) << conformal_message(contact.get());
+    EXPECT_EQ(conformal_json(contact.get(), &text), CONFORMAL_OK);
+    EXPECT_THAT(text,
+                AllOf(testing::StartsWith("{"), HasSubstr("\"found\""), HasSubstr("bem_contact result")));
+    double fz = 0;
+    EXPECT_EQ(conformal_number(contact.get(), "quantities/Fz", &fz), CONFORMAL_OK);
+    return fz;
+  };
+  const double given = json();
+  ASSERT_EQ(conformal_set_number(contact.get(), force, 2 * given), CONFORMAL_OK);
+  EXPECT_NEAR(json(), 2 * given, 1e-6 * given);
+  ASSERT_EQ(conformal_reset(contact.get()), CONFORMAL_OK);
+  EXPECT_NEAR(json(), given, 1e-6 * given);
+  EXPECT_EQ(conformal_set_flag(contact.get(), force, 1), CONFORMAL_WRONG_INPUT);
+  EXPECT_THAT(conformal_message(contact.get()), HasSubstr("load.force is true or false"));
+  EXPECT_EQ(conformal_set_flag(contact.get(), flag, 1), CONFORMAL_OK);
+  EXPECT_EQ(conformal_reset(nullptr), CONFORMAL_WRONG_INPUT);
+}
+
 TEST(C, NullPointersAreRefused) {
   EXPECT_EQ(conformal_solve(nullptr), CONFORMAL_WRONG_INPUT);
   EXPECT_EQ(conformal_stop(nullptr), CONFORMAL_WRONG_INPUT);

@@ -9,6 +9,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cstdlib>
 
 using namespace bem_contact;
@@ -80,6 +82,13 @@ TEST(PreparedFiles, TheIndexOfTheSourcesDescribesItsFiles) {
     EXPECT_NEAR(f.ends().first, one.from, 1e-6);
     EXPECT_NEAR(f.ends().second, one.to, 1e-6);
     EXPECT_NEAR(f.estimated_error, one.estimated_error, 0.05 * f.estimated_error);
+    require_as_described(one, f);
+    std::array<PreparedFile, 3> others{one, one, one};
+    others[0].from += 1;
+    others[1].to -= 1;
+    others[2].kind = one.kind == "rail" ? "wheel" : "rail";
+    for (const PreparedFile& other : others)
+      EXPECT_THAT(message_of([&] { require_as_described(other, f); }), HasSubstr("not the one of its index"));
   }
 }
 
@@ -87,6 +96,12 @@ TEST(PreparedFiles, WhatIsNotThatOfTheIndexIsRefused) {
   const TemporaryFolder folder;
   write_text_of(folder / "a.h5", "abc");
   write_text_of(folder / "index.toml", entry("a.h5", "abc"));
+  EXPECT_EQ(verified_bytes(prepared_files(folder / "").front()), "abc");
+  std::string capitals = entry("a.h5", "abc"); // as PowerShell's Get-FileHash writes them
+  const std::size_t digest = capitals.find("sha256");
+  std::transform(capitals.begin() + digest + 6, capitals.begin() + capitals.find("version"),
+                 capitals.begin() + digest + 6, [](unsigned char c) { return std::toupper(c); });
+  write_text_of(folder / "index.toml", capitals);
   EXPECT_EQ(verified_bytes(prepared_files(folder / "").front()), "abc");
   write_text_of(folder / "a.h5", "abd");
   EXPECT_THAT(message_of([&] { verified_bytes(prepared_files(folder / "").front()); }),
@@ -112,6 +127,19 @@ TEST(PreparedFiles, AWrongIndexIsRefused) {
   EXPECT_THAT(reading_index(folder / ""), AllOf(HasSubstr("file.stripe"), HasSubstr("file.strip")));
   write_text_of(folder / "index.toml", "[[file]]\nname = \"a.h5\"\n");
   EXPECT_THAT(reading_index(folder / ""), HasSubstr("file.body"));
+  const auto with = [&](const std::string& text, const std::string& of, const std::string& is) {
+    std::string other = text;
+    other.replace(other.find(of), of.size(), is);
+    write_text_of(folder / "index.toml", other);
+    return reading_index(folder / "");
+  };
+  const std::string good = entry("a.h5", "abc");
+  EXPECT_THAT(with(good, "\"rail\"", "\"rale\""), HasSubstr("'rale', not rail or wheel"));
+  EXPECT_THAT(with(good, "to = 1", "to = -3"), HasSubstr("from s = -1 to -3 mm"));
+  EXPECT_THAT(with(good + good, "tread", "flange"), HasSubstr("'a.h5' twice"));
+  EXPECT_THAT(with("# none", "none", "nothing"), HasSubstr("names none"));
+  EXPECT_THAT(with(good, "version", "verse = 1\nversion"),
+              HasSubstr("a prepared influence file has no such key"));
 }
 
 TEST(PreparedFiles, TheVariableNamesTheFolder) {

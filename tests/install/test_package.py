@@ -32,7 +32,8 @@ class Package(unittest.TestCase):
                        "lib/python3/dist-packages/bem_contact/__init__.py", "share/man/man1/bem_contact-solve.1",
                        "share/bash-completion/completions/bem_contact", "share/conformal_contact/scenes/hertz.toml",
                        "share/conformal_contact/influence/small_rail.h5", "share/conformal_contact/tools/plot",
-                       "lib/python3/dist-packages/bem_contact/plotting/style.py", "share/doc/conformal-contact/copyright"):
+                       "lib/python3/dist-packages/bem_contact/plotting/style.py", "share/doc/conformal-contact/copyright",
+                       "share/doc/conformal-contact/LICENSES"):
             self.assertIn("./usr/" + wanted, files)
         self.assertTrue([f for f in files if "dist-packages/bem_contact/_core." in f])
         self.assertFalse([f for f in files if not f.startswith("./usr") and f != "./"])

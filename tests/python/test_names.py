@@ -93,6 +93,8 @@ class Names(unittest.TestCase):
         for name, unit in self.python.units.items():
             if name in units:
                 self.assertEqual(units[name], unit, name)
+        for name in {**self.json["quantities"], **self.json["patches"][0]}:
+            self.assertEqual(self.python.units[name], units[name.removesuffix("_error")], name)
         for group in ("quantities", "patches"):
             for name, data in self.h5[group].items():
                 self.assertEqual(data.attrs["unit"].decode(), units[name.removesuffix("_error")], name)

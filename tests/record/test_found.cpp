@@ -121,6 +121,22 @@ TEST(Found, SweepsSayWhereTheLargestIs) {
                                                      "mm (case 1)."));
 }
 
+/// Not its index; and figures that look the same are said once.
+TEST(Found, SweepsOverTextsNameThem) {
+  Field wheels = field({0, 1}, "1", "swept over");
+  wheels.choices = {"S1002", "worn.txt"};
+  const auto said = [&](double second) {
+    const Record sweep{{"format", Text{"bem_contact sweep 4"}},
+                       {"certified_count", Number{2, "1", ""}},
+                       {"wheel.profile", wheels},
+                       {"pmax", field({900, second}, "MPa", "")},
+                       {"status", field({1, 1}, "1", "")}};
+    return found_in(sweep).sentences.back();
+  };
+  EXPECT_THAT(said(1400), HasSubstr("it is largest at wheel.profile 'worn.txt' (case 1)."));
+  EXPECT_THAT(said(900.0000001), HasSubstr("is 900 MPa in all cases."));
+}
+
 TEST(Found, StudiesTakeTheFirstSentencesOfTheirPartsAndBeginWithWhatFailed) {
   Record solve = contact({8e4}, {-0.54});
   solve.add("format", "bem_contact result 4");

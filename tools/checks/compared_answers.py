@@ -10,8 +10,6 @@ ALLOWED = 1e-9  # relative to scale_of()
 ALLOWED_OF = {  # by a part of the command or of the number's name
     "shakedown": 1e-2,
     "conicity": 1e-4,
-    "slopes": 1e-4,
-    "sensitivities": 1e-5,
     "curves": 1e-6,
     "study": 1e-6,
     "wheelset": 1e-6,

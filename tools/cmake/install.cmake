@@ -91,6 +91,7 @@ if(TARGET bem_contact_python)
 endif()
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/conformal-contact RENAME copyright)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSES DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/conformal-contact)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact
   PATTERN __pycache__ EXCLUDE)
 # Pictures: the program and the Python package of the same tree draw them.

@@ -21,7 +21,7 @@ configure_file(tools/cmake/conformal_contact.pc.in ${PROJECT_BINARY_DIR}/conform
 install(FILES ${PROJECT_BINARY_DIR}/conformal_contact.pc DESTINATION lib/pkgconfig)
 
 install(DIRECTORY data/standards data/scenes data/bodies data/benchmark data/influence data/tutorial data/pictures DESTINATION data)
-install(FILES data/TUTORIAL.md DESTINATION data)
+install(FILES data/TUTORIAL.md data/INFLUENCE_FORMAT.md DESTINATION data)
 install(FILES tools/cmake/portable/README.md LICENSE LICENSES CITATION.cff CHANGELOG.md DESTINATION .)
 
 if(WIN32)

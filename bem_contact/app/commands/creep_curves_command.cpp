@@ -99,12 +99,6 @@ std::string sensitivities_text(const CreepCurves& c) {
       out += fmt::format(" {:10.4g}", c.sensitivities.values[f][k]);
     out += '\n';
   }
-  if (c.linearised) {
-    out += "  from the linear system at the solution, with the pressure held\n";
-    for (std::size_t f = 0; f < 3; ++f)
-      out += fmt::format("  {:4} {:12} {:10.4g} {:10.4g} {:10.4g}\n", EnumNames<CreepForce>::names[f], "",
-                         (*c.linearised)[f][0], (*c.linearised)[f][1], (*c.linearised)[f][2]);
-  }
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/printable.hpp"
+#include "bem_contact/base/schema_text.hpp"
 #include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/influence_file.hpp"
@@ -39,7 +40,7 @@ the environment variable CONFORMAL_INFLUENCE, else the one beside this program.)
 constexpr const char* get_help =
     R"(Copies prepared influence files of these bodies here, each verified by its SHA-256, and unpacks them. Example:
     bem_contact influence get 60E1 S1002 -o files
-You should see the files, and for each the line of a scene that uses it. A body has a file for each strip; --strip takes
+You should see the files, and for each the line of a scene in this folder that uses it. A body has a file for each strip; --strip takes
 one of them (`bem_contact influence list` has their names).
 A body that is not prepared is computed by `tools/influence NAME`, where finite elements are installed.)";
 
@@ -61,11 +62,6 @@ std::string line_of(const PreparedFile& one) {
                      one.body, one.strip, one.from, one.to, one.shortest_dx, error, 1e-6 * one.bytes);
 }
 
-/// The names that people use for a standard are one.
-std::string body_name(const std::string& name) {
-  return is_standard_profile(name) ? standard_profile(name).name() : name;
-}
-
 std::vector<PreparedFile> files_there(const FilesRequest& request) {
   const fs::path folder = request.folder.empty() ? prepared_folder() : fs::path(request.folder);
   if (folder.empty())
@@ -78,14 +74,15 @@ std::vector<PreparedFile> files_there(const FilesRequest& request) {
 /// Those of one body and strip. Throws InputError where there are none.
 std::vector<PreparedFile> files_of(const std::vector<PreparedFile>& all, const std::string& name,
                                    const std::string& strip) {
-  const std::string body = body_name(name);
+  const std::string body = standard_name(name); // people use several for one
   std::vector<PreparedFile> found;
   std::set<std::string> bodies, strips;
   for (const PreparedFile& one : all) {
+    const bool its = standard_name(one.body) == body;
     bodies.insert(one.body);
-    if (one.body == body)
+    if (its)
       strips.insert(one.strip);
-    if (one.body == body && (strip.empty() || one.strip == strip))
+    if (its && (strip.empty() || one.strip == strip))
       found.push_back(one);
   }
   if (!found.empty())
@@ -97,26 +94,35 @@ std::vector<PreparedFile> files_of(const std::vector<PreparedFile>& all, const s
         fmt::format("Choose one of them, or compute it: tools/influence BODY.toml {}.h5.", body));
   throw InputError(fmt::format("There is no prepared influence file of '{}'", body),
                    fmt::format("there are those of {}", fmt::join(bodies, ", ")),
-                   fmt::format("Compute it: tools/influence \"{}\".", body));
+                   is_standard_profile(body) ? fmt::format("Compute it: tools/influence \"{}\".", body)
+                                             : advice_on_name(body));
+}
+
+/// Of all these names, each file once.
+std::vector<PreparedFile> files_of(const std::vector<PreparedFile>& all, const FilesRequest& request) {
+  std::vector<PreparedFile> wanted;
+  std::set<fs::path> seen;
+  for (const std::string& name : request.names)
+    for (const PreparedFile& one : files_of(all, name, request.strip))
+      if (seen.insert(one.file).second)
+        wanted.push_back(one);
+  return wanted;
 }
 
 void list_files(const FilesRequest& request) {
   const std::vector<PreparedFile> all = files_there(request);
-  std::vector<PreparedFile> shown = request.names.empty() ? all : std::vector<PreparedFile>{};
-  for (const std::string& name : request.names)
-    for (const PreparedFile& one : files_of(all, name, ""))
-      shown.push_back(one);
-  for (const PreparedFile& one : shown)
+  for (const PreparedFile& one : request.names.empty() ? all : files_of(all, request))
     print_out("{}: {}\n", one.file.filename().string(), line_of(one));
 }
 
 /// Writes a prepared file, unless it is there: not packed, because a packed one takes three times as long to
 /// read. Throws InputError where another file is.
 void put(const PreparedFile& one, const fs::path& target) {
-  verified_bytes(one);
+  const InfluenceFunction function = read_influence_file(one.file);
+  require_as_described(one, function);
   const TemporaryFolder folder;
   const fs::path made = folder / "made.h5";
-  write_influence_file(made, read_influence_file(one.file), read_stress_kernel(one.file));
+  write_influence_file(made, function, read_stress_kernel(one.file));
   if (!file_exists(target))
     return write_whole(target,
                        [&](std::ostream& out) { out << std::ifstream(made, std::ios::binary).rdbuf(); });
@@ -127,16 +133,15 @@ void put(const PreparedFile& one, const fs::path& target) {
 
 void get_files(const FilesRequest& request) {
   const std::vector<PreparedFile> all = files_there(request);
-  std::vector<PreparedFile> wanted;
-  for (const std::string& name : request.names)
-    for (const PreparedFile& one : files_of(all, name, request.strip))
-      wanted.push_back(one);
+  const std::vector<PreparedFile> wanted = files_of(all, request);
+  for (const PreparedFile& one : wanted) // all before the first is copied
+    verified_bytes(one);
   make_folder(request.output);
   for (const PreparedFile& one : wanted) {
     const fs::path target = (fs::path(request.output) / one.file.filename()).lexically_normal();
     put(one, target);
-    print_out("{}: {}\n    {}.influence = \"{}\"\n", target.string(), line_of(one), one.kind,
-              target.string());
+    print_out("{}: {}\n    {}.influence = {}\n", target.string(), line_of(one), one.kind,
+              toml_text(target.generic_string()));
   }
 }
 

@@ -5,6 +5,7 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/printable.hpp"
+#include "bem_contact/base/schema_text.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/profile/worn/like_standard.hpp"
@@ -84,9 +85,9 @@ std::string name_in_scene(const std::string& name, const std::string& output) {
 /// The profile of a body, with what its noise needs: the standard from which it was made, or a smoothing.
 NewBody new_body(const char* body, const std::string& name, ProfileKind kind, const std::string& output) {
   const MeasuredProfile read = described_profile(name, kind); // what cannot be read is refused here
-  NewBody out{.lines = fmt::format(
-                  "{}.profile = \"{}\" # a standard (bem_contact profile --help) or a profile file\n", body,
-                  name_in_scene(name, output)),
+  NewBody out{.lines =
+                  fmt::format("{}.profile = {} # a standard (bem_contact profile --help) or a profile file\n",
+                              body, toml_text(name_in_scene(name, output))),
               .nominal = read.advice.nominal};
   const std::string noise = fmt::format("the points scatter by {:.2g} um", 1e3 * read.noise.scatter);
   if (!out.nominal.empty())

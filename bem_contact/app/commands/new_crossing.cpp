@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/schema_text.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 
@@ -173,7 +174,7 @@ constexpr const char* scene_head =
 #   bem_contact plot passage.h5 -o passage.png
 # Units are mm, N, MPa, rad; x forward, y to the right, z down. position.along is 0 at the theoretical point.
 kind = "wheel_rail"
-wheel.profile = "{wheel}"
+wheel.profile = {wheel}
 solver.model = "halfspace"
 
 [position]
@@ -220,8 +221,8 @@ std::string section_text(const CrossingSection& section, const std::filesystem::
   for (const auto* lines : {&section.nose_lines, &section.wing_lines})
     for (const Point2& p : *lines)
       features.push_back(curve.nearest(p).s);
-  std::string out = fmt::format("\n[[rail.sections]]\nat = {:.6g}\nprofile = \"{}\"\nfeatures = [{}]\n",
-                                section.at, name, numbers(features));
+  std::string out = fmt::format("\n[[rail.sections]]\nat = {:.6g}\nprofile = {}\nfeatures = [{}]\n",
+                                section.at, toml_text(name), numbers(features));
   if (section.nose_lines.empty())
     out += "without = [1, 2, 3, 4]\n";
   if (section.kink)
@@ -255,7 +256,7 @@ ExitCode write_crossing(const NewCrossing& asked) {
   const double knee = -asked.number * asked.flangeway, full = asked.number * asked.full_width;
   std::string text = fmt::format(
       fmt::runtime(scene_head), arg("number", asked.number), arg("file", file.filename().string()),
-      arg("wheel", asked.wheel_in_scene), arg("load", asked.load), arg("friction", asked.friction),
+      arg("wheel", toml_text(asked.wheel_in_scene)), arg("load", asked.load), arg("friction", asked.friction),
       arg("from", std::ceil(knee / 10) * 10 - 50), arg("to", std::floor(full / 10) * 10 + 50),
       arg("step", 10.0), arg("knee", knee), arg("nose_width", asked.nose_width),
       arg("nose_drop", asked.nose_drop));

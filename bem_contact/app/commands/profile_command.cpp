@@ -115,7 +115,7 @@ ExitCode run_on(const ProfileArguments& arguments) {
       placed_standard(standard_profile(arguments.name),
                       described_profile(arguments.on, kind, arguments.reading), arguments.step);
   if (!arguments.csv.empty())
-    write_whole(arguments.csv, [&](std::ostream& out) { out << profile_csv(placed.points, placed.depth); });
+    write_text(arguments.csv, [&](std::ostream& out) { out << profile_csv(placed.points, placed.depth); });
   print_out("{} on the unworn part of {}: moved by {:.3f} mm along y and {:.3f} mm along z and turned by "
             "{:.3f} degrees\n",
             arguments.name, std::filesystem::path(arguments.on).filename().string(), placed.place.shift.y,
@@ -146,7 +146,7 @@ ExitCode run_of_sections(const ProfileArguments& arguments, const SectionLines& 
                      "--json and --against are of one",
                      "Name one of them; --csv has the lines through all, and --plot draws them.");
   if (!arguments.csv.empty())
-    write_whole(arguments.csv, [&](std::ostream& out) { out << csv_of(lines); });
+    write_text(arguments.csv, [&](std::ostream& out) { out << csv_of(lines); });
   if (!arguments.plot.empty())
     report::write_sections_page(std::filesystem::path(arguments.name).filename().string(), lines.words,
                                 lines.points, arguments.plot);
@@ -185,8 +185,8 @@ ExitCode run(ProfileArguments arguments) {
   const ProfileKind kind = kind_of_profile(arguments.name, arguments.kind);
   const MeasuredProfile profile = described_profile(arguments.name, kind, arguments.reading);
   if (!arguments.csv.empty())
-    write_whole(arguments.csv,
-                [&](std::ostream& out) { out << profile_csv(points_along(profile.curve, arguments.step)); });
+    write_text(arguments.csv,
+               [&](std::ostream& out) { out << profile_csv(points_along(profile.curve, arguments.step)); });
   const ProfileFindings found = findings_of(profile, kind, arguments.reading);
   const std::string words = to_text(profile, found, kind);
   if (!arguments.plot.empty())

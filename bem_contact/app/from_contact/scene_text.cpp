@@ -1,6 +1,7 @@
 #include "bem_contact/app/from_contact/scene_text.hpp"
 
 #include "bem_contact/app/from_contact/histories.hpp"
+#include "bem_contact/base/schema_text.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -12,8 +13,7 @@ namespace {
 /// A profile as a scene in `folder` names it.
 std::string profile_beside(const std::string& value, const std::filesystem::path& folder) {
   const std::filesystem::path file = value.substr(1, value.size() - 2);
-  return fmt::format(
-      "\"{}\"",
+  return toml_text(
       file.lexically_proximate(std::filesystem::absolute(folder).lexically_normal()).generic_string());
 }
 
@@ -48,7 +48,7 @@ std::string scene_of_case(const ContactCase& one, const std::filesystem::path& i
   if (!one.steps.empty() && !needs_step_table(one))
     out += fmt::format("motion.steps = {}\n", one.steps.size());
   for (const SceneTableFile& table : tables_of_case(one))
-    out += fmt::format("{} = \"{}\"\n", table.key, name_of_table(stem, table));
+    out += fmt::format("{} = {}\n", table.key, toml_text(name_of_table(stem, table)));
   return out;
 }
 

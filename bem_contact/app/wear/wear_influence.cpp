@@ -5,6 +5,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/schema_text.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/profile/messages.hpp"
@@ -24,10 +25,10 @@ std::string body_file_text(const InfluenceStrip& f, const char* body, const std:
   const auto [from, to] = f.ends();
   std::string out = fmt::format("# A worn body, written by bem_contact wear. The body file of the unworn one "
                                 "may say more: copy its keys.\n"
-                                "[body]\nkind = \"{}\"\nprofile = \"{}\"\nprofile_z = \"down\"\n",
-                                body, profile_file);
+                                "[body]\nkind = \"{}\"\nprofile = {}\nprofile_z = \"down\"\n",
+                                body, toml_text(profile_file));
   if (is_standard_profile(standard)) // where its body stands is known: in its own coordinates
-    out += fmt::format("graft_onto = \"{}\"\ngraft_at = [0, 0]\ngraft_angle = 0\n", standard);
+    out += fmt::format("graft_onto = {}\ngraft_at = [0, 0]\ngraft_angle = 0\n", toml_text(standard));
   out += fmt::format("\n[material]\nshear_modulus = {} # MPa\npoisson = {}\n", f.material.shear_modulus,
                      f.material.poisson);
   out += fmt::format("\n[strip]\nfrom = {:.9g} # mm\nto = {:.9g}\nstation_width = {:.9g}\n", from, to,

@@ -50,6 +50,8 @@ bool stands_for_something_open(const std::filesystem::path& link);
 
 bool may_write(const std::filesystem::path& file);
 bool may_write_into(const std::filesystem::path& folder);
+/// Windows: another program has the file open so that it cannot be written, as those for tables do.
+bool is_held_elsewhere(const std::filesystem::path& file);
 
 /// The files of a pattern as FOLDER/*.whl, sorted.
 std::vector<std::string> files_like(const std::string& pattern);

@@ -7,7 +7,6 @@
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
 #include "bem_contact/uses/curves/creep_derivatives.hpp"
-#include "bem_contact/uses/curves/linearised.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -268,8 +267,6 @@ CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ran
       curve.points.back().creepage = value;
     }
   }
-  out.linearised = linearised_sensitivities(scene_at(held_scene(scene, held), held.offset, asked),
-                                            out.solution, part(sensitivity_step), *files);
   out.contact_problems += sequence.counts().solves + on_larger.counts().solves;
   return out;
 }

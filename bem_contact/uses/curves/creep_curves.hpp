@@ -72,8 +72,6 @@ struct CreepCurves {
   double radius = 0;    ///< c = sqrt(a b) of the ellipse, or of the area in contact, mm
   /// These hold at the scene's own creepages: what a vehicle model linearises with.
   CreepDerivatives sensitivities;
-  /// This has the same from one linear system, with the pressure held (linearised.hpp).
-  std::optional<CreepMatrix> linearised;
   /// These hold at zero rigid slip: without any creepage and spin, not even those that the geometry makes.
   CreepDerivatives slopes;
   std::optional<LinearTheory> linear; ///< to compare the slopes with

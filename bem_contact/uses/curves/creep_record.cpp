@@ -101,8 +101,6 @@ Record record_of(const CreepCurves& c) {
        matrix(&c.sensitivities.values, "[Fx, Fs, Mz][xi, eta, phi] at the scene's creepages")},
       {"sensitivities_error", errors_of("sensitivities", c.sensitivities.errors)},
       {"sensitivities_by_differences", c.sensitivities.by_differences},
-      {"linearised", matrix(c.linearised ? &*c.linearised : nullptr,
-                            "the sensitivities from one linear system, with the pressure held")},
       {"kalker", matrix(c.linear ? &c.linear->slopes : nullptr,
                         "[Fx, Fs, Mz][xi, eta, phi] by linear theory for the nearest ellipse")},
       {"kalker_ellipse", ellipse_of(c.linear)},

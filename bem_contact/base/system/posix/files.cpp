@@ -127,6 +127,10 @@ bool may_write_into(const std::filesystem::path& folder) {
   return access(folder.c_str(), W_OK | X_OK) == 0;
 }
 
+bool is_held_elsewhere(const std::filesystem::path&) {
+  return false;
+}
+
 std::vector<std::string> files_like(const std::string& pattern) {
   glob_t found = {};
   std::vector<std::string> out;

@@ -147,6 +147,16 @@ bool may_write_into(const std::filesystem::path& folder) {
   return _waccess(folder.c_str(), 0) == 0; // who may make files there, only the attempt tells
 }
 
+bool is_held_elsewhere(const std::filesystem::path& file) {
+  const HANDLE open =
+      CreateFileW(file.c_str(), GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE,
+                  nullptr, OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, nullptr);
+  if (open == INVALID_HANDLE_VALUE)
+    return GetLastError() == ERROR_SHARING_VIOLATION;
+  CloseHandle(open);
+  return false;
+}
+
 /// Of the last name alone; `*` and `?` are all that this system knows.
 std::vector<std::string> files_like(const std::string& pattern) {
   const std::filesystem::path given = pattern;
