@@ -226,12 +226,13 @@ TEST_F(SolidNose, blended_numbers_are_wrong_by_less_than_stated) {
     EXPECT_LT(std::abs(mean(off)), totals.approach.error);
     EXPECT_LT(std::abs(totals.pmax - pressure.maxCoeff()), 0.002 * totals.pmax);
     EXPECT_LT(std::abs(totals.pmax - pressure.maxCoeff()), totals.pmax.error);
-    if (along == 45) // half way
+    if (along == 45) { // half way
       for (const char* alone : {"narrow", "wide"})
         EXPECT_GT(
             std::abs(mean(solid - on.by(numbers_of(alone, r, StructuralCompliance::included)) * on.pressure)),
             totals.approach.error)
             << alone;
+    }
   }
 }
 
