@@ -25,8 +25,8 @@ constexpr double sensitivity_precision = 1e-9;
 
 } // namespace
 
-std::vector<ShearChange> shear_sensitivities(const ContactProblem& problem, const ContactResult& result,
-                                             std::span<const SlipChange> changes) {
+ShearChange shear_sensitivity(const ContactProblem& problem, const ContactResult& result,
+                              const SlipChange& change) {
   if (!problem.has_friction() || problem.motion != MotionKind::steady || !problem.is_coulomb())
     throw InputError("This contact has no sensitivities",
                      "they are for steady rolling with one coefficient of friction",
@@ -41,11 +41,9 @@ std::vector<ShearChange> shear_sensitivities(const ContactProblem& problem, cons
     if (result.pn[i] > 0)
       task.contact.push_back(i);
   }
-  std::vector<ShearChange> out;
   if (task.contact.empty()) {
     const std::vector<double> none(system.size(), 0.0);
-    out.assign(changes.size(), {none, none});
-    return out;
+    return {none, none};
   }
   const ContactElements elements(system, task);
   const NewtonMatrix matrix(system, elements, work);
@@ -53,21 +51,18 @@ std::vector<ShearChange> shear_sensitivities(const ContactProblem& problem, cons
   const Linearisation at =
       linearise(elements.stiffness, elements.bound, elements.gather(joined(result.px, result.ps)),
                 length * elements.gather(joined(result.slip_x, result.slip_s)));
-  for (const SlipChange& change : changes) {
-    const VectorXd right =
-        projected(at, length * elements.gather(joined(change.x, change.s)), &elements.stiffness);
-    const auto found = linear_solution(matrix, at, elements.stiffness, right,
-                                       {.wanted = sensitivity_precision,
-                                        .accepted = sensitivity_precision,
-                                        .correction = finest_newton_forcing},
-                                       work);
-    if (!found)
-      refuse();
-    const VectorXd field = elements.scatter(*found);
-    const double* begin = field.data();
-    out.push_back({{begin, begin + system.size()}, {begin + system.size(), begin + 2 * system.size()}});
-  }
-  return out;
+  const VectorXd right =
+      projected(at, length * elements.gather(joined(change.x, change.s)), &elements.stiffness);
+  const auto found = linear_solution(matrix, at, elements.stiffness, right,
+                                     {.wanted = sensitivity_precision,
+                                      .accepted = sensitivity_precision,
+                                      .correction = finest_newton_forcing},
+                                     work);
+  if (!found)
+    refuse();
+  const VectorXd field = elements.scatter(*found);
+  const double* begin = field.data();
+  return {{begin, begin + system.size()}, {begin + system.size(), begin + 2 * system.size()}};
 }
 
 } // namespace bem_contact

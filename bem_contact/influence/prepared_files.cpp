@@ -79,10 +79,12 @@ fs::path prepared_folder() {
 
 std::vector<PreparedFile> prepared_files(const fs::path& folder) {
   const std::string index = (folder / prepared_index).string();
-  if (!file_exists(index))
-    throw InputError(fmt::format("The folder '{}' has no prepared influence files", folder.string()),
-                     fmt::format("there is no {} in it", prepared_index),
+  const auto refuse_empty = [&](const std::string& why) {
+    throw InputError(fmt::format("The folder '{}' has no prepared influence files", folder.string()), why,
                      "Name one that tools/makers/library has made, or that came with a release.");
+  };
+  if (!file_exists(index))
+    refuse_empty(fmt::format("there is no {} in it", prepared_index));
   std::vector<PreparedFile> files;
   std::vector<std::string> names;
   Schema schema("index of influence files");
@@ -96,9 +98,7 @@ std::vector<PreparedFile> prepared_files(const fs::path& folder) {
              "The files of this folder");
   schema.read(read_text_file(index, "index of influence files"), index);
   if (files.empty())
-    throw InputError(fmt::format("The folder '{}' has no prepared influence files", folder.string()),
-                     fmt::format("its {} names none", prepared_index),
-                     "Name one that tools/makers/library has made, or that came with a release.");
+    refuse_empty(fmt::format("its {} names none", prepared_index));
   std::set<std::string> seen;
   for (std::size_t i = 0; i < files.size(); ++i) {
     require_entry(files[i], names[i], index);

@@ -148,10 +148,6 @@ std::vector<SectionInfluence> influence_of(const SceneFile& scene,
   return out;
 }
 
-} // namespace
-
-namespace {
-
 /// Says the first of the warnings about many files, and how many more there are.
 class FirstWarnings {
 public:
