@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """tools/verification/contact_suite: what it counts, and what it refuses. Reads the program from BEM_CONTACT."""
 
 import os

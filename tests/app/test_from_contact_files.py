@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """from-contact with whole input files: each number of a case is in its scene, or the case has none; and input files that
 are broken in many ways. Reads the program from BEM_CONTACT."""
 

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Looks forces up in a table of bem_contact and prints them with their stated errors.
 
     table_reader.py creep.h5 6 4 82000 30000 0.001 0 0    # a, b (mm), G (MPa), mu N (N), xi, eta, phi (1/mm)

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Input files of CONTACT on elements half as large, and what CONTACT prints for them.
 
     tools/verification/contact_finer.py CONTACT_FOLDER FINER
