@@ -2,6 +2,7 @@
 
 #include "bem_contact/geometry/settings.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 namespace bem_contact {
@@ -111,7 +112,7 @@ std::optional<ContactLocus::Point> ContactLocus::point(double s, Point2 position
   if (roller_)
     p = roller_->unrolled(p);
   if (m->uneven)
-    return Point{s, m->uneven->x, {p[1], p[2]}, m->uneven->rail_lower};
+    return Point{s, m->uneven->x, {p[1], p[2]}, m->uneven->rail_lower, m->uneven->ahead};
   return Point{s, p[0], {p[1], p[2]}};
 }
 
@@ -152,18 +153,20 @@ double ContactLocus::curvature_along_x(int k, double t) const {
     return 0;
   const TabulatedProfile::Point q = wheel_.between(a.interval, t);
   const double s = a.s + t * (b.s - a.s);
-  const auto m = meridian(s, q.position, q.tangent);
+  const auto m = even_meridian(q.position, q.tangent);
   if (!m)
     return 0;
-  if (m->uneven)
-    return 2 * m->uneven->half;
   // Euler's formula with the principal directions, along the profile and around the axle.
   const auto table = wheel_.nodes();
   const double profile = angle_from_to(table[a.interval].after, table[a.interval + 1].before) / (b.s - a.s);
   const double around = -q.tangent.y / (radius_ + q.position.z);
   const Surface there = surface(s, q.position, q.tangent, *m);
   const double share = there.along_profile;
-  return profile * share * share + around * (1 - share * share) + there.rail;
+  const double even = profile * share * share + around * (1 - share * share) + there.rail;
+  if (!nearest_)
+    return even;
+  const auto uneven = meridian(s, q.position, q.tangent)->uneven;
+  return std::max(even, 2 * least_slice_curvature / radius_) * (uneven ? uneven->sharper : 1.0);
 }
 
 std::optional<CurvePoint> ContactLocus::at(double s) const {

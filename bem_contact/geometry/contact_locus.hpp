@@ -34,6 +34,7 @@ public:
     double x = 0;          ///< mm
     Point2 position;       ///< (y, z), mm
     double rail_lower = 0; ///< how much lower than a straight rail an uneven one is under it, mm
+    double ahead = 0;      ///< of where a round wheel would be nearest to a straight rail, mm
   };
   /// Nodes lie in walking order, from the field side to the flange, at most 0.1 mm of s apart. A node that
   /// begins a stretch of its own has `joined` false.

@@ -129,6 +129,7 @@ TouchPoint Search::refined(int k, int from, int to) {
   TouchPoint touch;
   touch.wheel_s = p.s;
   touch.x = p.x;
+  touch.ahead = p.ahead;
   touch.rail_s = height->s;
   touch.distance = height->z - p.position.z;
   touch.position = {p.position.y, height->z};

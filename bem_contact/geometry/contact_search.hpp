@@ -17,6 +17,7 @@ struct TouchPoint {
   /// The stretch of the rail around it within which the distance is the same to flat_distance: a point, or,
   /// where the bodies touch along a line, that line. Arc length on the rail, mm.
   double s_from = 0, s_to = 0;
+  double ahead = 0; ///< by how much unevenness moves it along x, mm
 };
 
 /// Moves the wheel along z until it just touches; returns the touch points then (the first has distance 0).

@@ -45,10 +45,13 @@ double NearestAlong::x_of(const Circle& c, const Sample& s) const {
          (c.radius + off.z) * (s.cosine * frame_.down[0] + s.sine * frame_.forward[0]);
 }
 
-/// Along the normal, from the circle's centre towards the rail.
+/// Along the normal towards the rail, from where the even circle is nearest: a difference of radii would be
+/// rounded so coarsely that the nearest angle was off by 1e-8.
 double NearestAlong::reach(const Circle& c, const Sample& s) const {
   const Point2 off = offset(c, s);
-  return off.y * c.n_axle + (c.radius + off.z) * (s.cosine * c.n_down + s.sine * c.n_forward) -
+  const double along = s.cosine * c.n_down + s.sine * c.n_forward,
+               beside = s.sine * c.n_down - s.cosine * c.n_forward;
+  return off.y * c.n_axle + off.z * along - c.radius * beside * beside / (c.n_radial + along) -
          c.n_z * surfaces_.rail(x_of(c, s));
 }
 
@@ -65,23 +68,28 @@ double NearestAlong::end_of_stretch(const Circle& c, int inside, int outside, do
 }
 
 NearestAlong::Place NearestAlong::at(double s, Point2 section, const Vector3& normal) const {
-  const Circle c{s,
-                 radius_ + section.z,
-                 frame_.centre[0] + section.y * frame_.axle[0],
-                 dot(normal, frame_.down),
-                 dot(normal, frame_.forward),
-                 dot(normal, frame_.axle),
-                 normal[2]};
+  Circle c{s,
+           radius_ + section.z,
+           frame_.centre[0] + section.y * frame_.axle[0],
+           dot(normal, frame_.down),
+           dot(normal, frame_.forward),
+           dot(normal, frame_.axle),
+           normal[2],
+           0};
+  c.n_radial = std::hypot(c.n_down, c.n_forward);
   const int last = static_cast<int>(samples_.size()) - 1;
   std::vector<double> reaches(samples_.size());
   std::ranges::transform(samples_, reaches.begin(), [&](const Sample& one) { return reach(c, one); });
   const int best = static_cast<int>(std::ranges::max_element(reaches) - reaches.begin());
+  const auto angle_at = [&](double samples) { // from the best one
+    return samples_[best].theta + samples * uneven_step / radius_;
+  };
   const auto [at, least] = boost::math::tools::brent_find_minima(
-      [&](double angle) { return -reach(c, sample(angle)); }, samples_[std::max(best - 1, 0)].theta,
-      samples_[std::min(best + 1, last)].theta, std::numeric_limits<double>::digits / 2);
+      [&](double samples) { return -reach(c, sample(angle_at(samples))); }, best > 0 ? -1.0 : 0.0,
+      best < last ? 1.0 : 0.0, std::numeric_limits<double>::digits / 2);
   Place out;
   const double most = std::max(-least, reaches[best]);
-  out.theta = -least > reaches[best] ? at : samples_[best].theta;
+  out.theta = -least > reaches[best] ? angle_at(at) : samples_[best].theta;
 
   const double inside = most - uneven_depth;
   int first = best, end = best; // of the samples in the stretch; what lies between its parts belongs to it
@@ -95,10 +103,18 @@ NearestAlong::Place NearestAlong::at(double s, Point2 section, const Vector3& no
   from = std::min(from, out.theta), to = std::max(to, out.theta);
   const double x_from = x_at(from), x_to = x_at(to);
   const double width = std::max(std::abs(x_to - x_from), uneven_step);
-  out.x = 0.5 * (x_from + x_to);
+  // Measured on what a round wheel has there: the parabola of a finite depth is not the circle.
+  const double cosine = c.n_down / c.n_radial, sine = c.n_forward / c.n_radial,
+               rise =
+                   uneven_depth / c.n_radial, // of the circle, from its nearest place to the stretch's ends
+      round_width = 2 * std::sqrt(rise * (2 * c.radius - rise)) *
+                    std::abs(frame_.forward[0] * cosine - frame_.down[0] * sine);
+  const double outward = frame_.down[0] * cosine + frame_.forward[0] * sine; // x of it
+  out.x = 0.5 * (x_from + x_to) + rise * outward;
+  out.ahead = out.x - (c.x0 + c.radius * outward);
+  out.sharper = round_width * round_width / (width * width);
   const double lower = surfaces_.rail(x_at(out.theta));
   out.rail_lower = lower < UnevenSurfaces::no_rail ? lower : 0;
-  out.half = uneven_depth / (0.25 * width * width);
   return out;
 }
 

@@ -19,9 +19,10 @@ public:
 
   /// The place, and the stretch in which the circle is nearly as near.
   struct Place {
-    double theta = 0;      ///< angle on the wheel, as in UnevenSurfaces::wheel, rad
-    double x = 0;          ///< middle of the stretch, from the wheelset's centre, mm
-    double half = 0;       ///< 1/mm: a parabola half (x' - x)^2 is as wide as the stretch
+    double theta = 0;   ///< angle on the wheel, as in UnevenSurfaces::wheel, rad
+    double x = 0;       ///< middle of the stretch, from the wheelset's centre, mm
+    double ahead = 0;   ///< of where a round wheel would be nearest to a straight rail, mm
+    double sharper = 1; ///< curvature along x of a parabola as wide as the stretch, in that of a round wheel
     double rail_lower = 0; ///< how much lower than a straight rail the rail is at theta, mm
   };
   /// `section`: the point of the profile at arc length s; `normal`: outward, where even bodies would be
@@ -33,7 +34,7 @@ public:
 private:
   /// One circle, of the point of the profile at s, with the normal along which nearness is measured.
   struct Circle {
-    double s, radius, x0, n_down, n_forward, n_axle, n_z;
+    double s, radius, x0, n_down, n_forward, n_axle, n_z, n_radial;
   };
   /// An angle on the wheel, and how much nearer to the axle all of the profile is there.
   struct Sample {

@@ -12,9 +12,6 @@ namespace {
 
 /// mm. A slice farther from the wheel is left out: three times the largest approach.
 constexpr double farthest_slice = 3.0;
-/// 1. Least curvature along x of a slice, in curvatures of the wheel: a yawed hollow wheel may have none, and
-/// the estimate needs some. Uneven bodies have some of their own (NearestAlong).
-constexpr double least_slice_curvature = 0.05;
 /// mm. The same of the prism of a rail of sections: its relief brings it so much nearer within the reach.
 constexpr double farthest_prism = 12.0;
 /// 1. How far from the locus the relief may take the nearest place along x, in radii of the wheel: a rail
@@ -82,7 +79,7 @@ std::vector<RailSlice> slice_rail(const WheelOnRail& pair, const ContactLocus& l
     const double least = pair.uneven ? 0 : least_slice_curvature / pair.wheel_radius;
     const double half = nearest[i].hit() ? std::max(nearest[i].half, least) : 1.0;
     slices.push_back({rows[i].s, rows[i].delta, std::cos(rows[i].delta), nearest[i].distance, nearest[i].x,
-                      half, rows[i].position, nearest[i].rail_lower});
+                      half, rows[i].position, nearest[i].rail_lower, nearest[i].ahead});
   }
   return slices;
 }

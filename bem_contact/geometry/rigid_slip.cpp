@@ -173,9 +173,8 @@ RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, c
   const AddedCreepage added{reference, creepage};
   double sinking = pair.sinking;
   if (pair.uneven) {
-    const Vector3 v =
-        wheel.at(pair.in_space(reference.x, {reference.s, reference.position, reference.delta}), turning);
-    sinking = -dot(Point2{v[1], v[2]}, normal_of(reference.delta)) / std::cos(reference.delta);
+    const Vector3 v = cross(pair.wheel_frame().axle, {reference.ahead, 0, 0}); // over -turning
+    sinking = turning * dot(Point2{v[1], v[2]}, normal_of(reference.delta)) / std::cos(reference.delta);
   }
   const Vector3 travel = pair.seen({1, 0, sinking});
   return fields(rows, x, [&](const ContactRow& row, double at) {

@@ -14,6 +14,7 @@ struct ReferencePoint {
   double s = 0;     ///< arc length on the rail, mm
   double delta = 0; ///< rad
   double x = 0;     ///< mm
+  double ahead = 0; ///< by how much unevenness moves it along x, mm
 };
 
 /// Creepages at the reference point, and the wheelset's own velocities, from which rigid_slip() finds the
@@ -57,8 +58,8 @@ struct RigidSlip {
 /// On a rail of sections all of this is seen in its frame, over the speed V / cos(pitch) along its surface;
 /// the wheel's centre moves along the surface where it touches.
 ///
-/// On uneven bodies the wheel's centre rises and falls as it rolls: by so much that at the reference point
-/// nothing moves along the rail's normal.
+/// On uneven bodies the wheel's centre rises and falls as it rolls: by as much as the wheel's turning moves
+/// the reference point along the rail's normal more than it would the place where a round wheel is nearest.
 RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, const Creepage& creepage,
                      std::span<const ContactRow> rows, std::span<const double> x);
 

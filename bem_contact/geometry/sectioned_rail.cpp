@@ -164,8 +164,16 @@ SectionedRail::Direction SectionedRail::direction(double x, const ContactRow& ro
     return {};
   for (double& component : normal)
     component /= length;
-  return {{1 - normal[0] * normal[0], -normal[0] * normal[1], -normal[0] * normal[2]},
-          -normal[0] / normal[2]};
+  // In the surface: the rolling direction, projected, and what is across it.
+  const double level = std::sqrt(1 - normal[0] * normal[0]);
+  const Vector3 ahead{level, -normal[0] * normal[1] / level, -normal[0] * normal[2] / level};
+  const Vector3 across = cross(normal, ahead), line = frame_.in_track(p.by_u);
+  const double turn =
+      std::clamp(std::atan2(dot(across, line), dot(ahead, line)), -farthest_turn, farthest_turn);
+  Direction out{{}, -normal[0] / normal[2]};
+  for (int i = 0; i < 3; ++i)
+    out.ahead[i] = std::cos(turn) * ahead[i] + std::sin(turn) * across[i];
+  return out;
 }
 
 } // namespace bem_contact

@@ -55,8 +55,9 @@ public:
     return surface_->surface(point.body).arc_length(place, point.t);
   }
 
-  /// Unit vector in the rail's surface over a point of the frame that lies ahead of it, track frame: the
-  /// rolling direction, projected. And by how much a wheel that rolls along it moves down, over V.
+  /// Unit vector in the rail's surface at a point of the frame, track frame: along its line of corresponding
+  /// points, which is straight where a section moves as a whole and the rail is a prism seen from there. And
+  /// by how much a wheel that rolls over it moves down where its y stays, over V.
   struct Direction {
     Vector3 ahead{1, 0, 0};
     double sinking = 0;

@@ -50,10 +50,20 @@ BEM_CONTACT_TUNED(int, crossing_halving_period, 8); ///< 1. As above.
 BEM_CONTACT_TUNED(double, crossing_width, 1e-14);
 BEM_CONTACT_TUNED(double, crossing_distance, 1e-13); ///< mm. As above.
 
+// Rails of sections.
+
+/// rad. The line of corresponding points along which a rail is looked at is taken as turned by at most this
+/// much off the rolling direction: on a flank that rises 1:5 it is, and at a blunt tip it leads around the
+/// tip.
+BEM_CONTACT_TUNED(double, farthest_turn, 0.2);
+
 // Slices and planar rows.
 
 /// mm. Width of the slices of the rail's head: 30 of them lie in a contact of 6 mm.
 BEM_CONTACT_TUNED(double, slice_width, 0.2);
+/// 1. Least half curvature along x of a slice, in curvatures of the wheel: a yawed hollow wheel may have
+/// none, and the estimate needs some. Of a flat that lies on the rail there is as much less as it is longer.
+BEM_CONTACT_TUNED(double, least_slice_curvature, 0.05);
 /// mm. Steps in which the bracket of a planar row is found; the rail turns by little over each.
 BEM_CONTACT_TUNED(double, planar_step, 0.5);
 

@@ -20,6 +20,7 @@ struct RowOnLocus {
   double wheel_s = 0;             ///< arc length on the wheel's profile, mm
   double half = 0;                ///< 1/mm: around x, at x', the distance is about distance + half (x' - x)^2
   double rail_lower = 0;          ///< ContactLocus::Point, mm
+  double ahead = 0;               ///< ContactLocus::Point, mm
   bool hit() const { return distance < excluded_gap; }
 };
 /// Rows farther than `farthest` (mm) from the locus miss it.

@@ -36,6 +36,7 @@ void leave_gaps(std::span<const RailSlice> slices, double q, ContactCentre& cent
       nearest_slice(slices, centre.s, [&](const RailSlice& c) { return foundation(c, q) > 0; });
   centre.s = bears.s;
   centre.x = bears.x;
+  centre.ahead = bears.ahead;
 }
 
 } // namespace
@@ -58,13 +59,14 @@ std::optional<ContactCentre> contact_centre(std::span<const RailSlice> slices, c
     sum += share;
     centre.s += share * c.s;
     centre.x += share * c.x;
+    centre.ahead += share * c.ahead;
     centre.rolling_radius +=
         share * (pair.uneven ? radius_at(frame, {c.x, c.position.y, c.position.z + c.rail_lower})
                              : radius_at(pair, frame, c.x, c.position));
   }
   if (!(sum > 0))
     return std::nullopt;
-  centre = {centre.s / sum, centre.x / sum, centre.rolling_radius / sum};
+  centre = {centre.s / sum, centre.x / sum, centre.ahead / sum, centre.rolling_radius / sum};
   leave_gaps(slices, q, centre);
   return centre;
 }

@@ -19,6 +19,7 @@ struct ContactLoad {
 /// The middle of a contact: what creepages of a wheel on a rail refer to.
 struct ContactCentre {
   double s = 0, x = 0;       ///< arc length on the rail and along x, mm
+  double ahead = 0;          ///< by how much unevenness moves it along x, mm
   double rolling_radius = 0; ///< V / omega at which the mean of w_x under the foundation's pressure is 0, mm
 };
 

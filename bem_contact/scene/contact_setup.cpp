@@ -75,11 +75,11 @@ ContactSetup set_up_touching(const SceneFile& scene, LoweredWheel bodies, const 
       contact_centre(slices, pair, bodies.locus.frame(),
                      contact_compliance(scene.rail.material, scene.wheel.material), load);
   const TouchPoint& deepest = bodies.touch.front();
-  ReferencePoint reference{deepest.position, deepest.rail_s, deepest.delta, deepest.x};
+  ReferencePoint reference{deepest.position, deepest.rail_s, deepest.delta, deepest.x, deepest.ahead};
   double free_radius = pair.wheel_radius + pair.wheel.at(deepest.wheel_s).position.z;
   if (centre) {
     const CurvePoint p = pair.rail_at(centre->s);
-    reference = {p.position, p.s, p.delta, centre->x};
+    reference = {p.position, p.s, p.delta, centre->x, centre->ahead};
     free_radius = centre->rolling_radius;
   }
   Motion motion = motion_over(scene, pair, reference, free_radius);

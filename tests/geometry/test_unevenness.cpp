@@ -227,7 +227,7 @@ TEST(Unevenness, RisesAsItRollsOverAnEdge) {
   const TouchPoint touch = lower_to_touch(pair).front();
   ASSERT_GT(std::abs(touch.x), 5);
   const ContactRow inclined{touch.rail_s + 1, touch.position, -0.8};
-  const ReferencePoint reference{touch.position, touch.rail_s, -0.8, touch.x};
+  const ReferencePoint reference{touch.position, touch.rail_s, -0.8, touch.x, touch.ahead};
   const RigidSlip slip = rigid_slip(pair, reference, {}, std::vector{inclined}, std::vector{touch.x});
   EXPECT_NEAR(slip.x[0], 0, 1e-12);
   EXPECT_NEAR(slip.s[0], 0, 1e-12);

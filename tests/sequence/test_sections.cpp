@@ -70,6 +70,30 @@ TEST(ContactOnSections, ThatAreEqualIsThatOfTheProfile) {
   }
 }
 
+/// The same of a wheel, yawed too: where it is nearest, how sharply it curves there and how its centre moves
+/// are those of a round wheel and what unevenness adds to them.
+TEST(ContactOnSections, OfAWheelThatAreEqualIsThatOfTheWheel) {
+  const auto solved = [](const char* wheel, const char* motion, double lateral, double yaw) {
+    return Sequence().solve(parse_scene_file(
+        {fmt::format("rail.profile = '60E1'\nload.force = 80000\ngrid = {{ dx = 0.9, ds = 0.6 }}\n"
+                     "position = {{ lateral = {}, yaw = {} }}\nsolver.model = 'halfspace'\n"
+                     "motion = {{ {} }}\n{}",
+                     lateral, yaw, motion, wheel),
+         "round.toml"}));
+  };
+  for (const char* motion : {"frictionless = true", "friction = 0.3, xi = 5e-4, rolling_radius = 460"})
+    for (const double lateral : {0.0, 3.0, 6.0})
+      for (const double yaw : {0.0, 0.003, 0.02}) {
+        const SceneResult one = solved("wheel.profile = 'S1002'\n", motion, lateral, yaw),
+                          three = solved("wheel.sections = [ { at = 0, profile = 'S1002' }, { at = 2, "
+                                         "profile = 'S1002' }, { at = 4, profile = 'S1002' } ]\n",
+                                         motion, lateral, yaw);
+        for (const char* name : {"vertical", "approach", "pmax", "area", "Fx", "Fy", "Fz"})
+          EXPECT_NEAR(number(three, name), number(one, name), 1e-8 * (1 + std::abs(number(one, name))))
+              << name << " " << motion << " " << lateral << " " << yaw;
+      }
+}
+
 /// A rail that leads to the side is the same rail under a wheelset that is turned the other way: across the
 /// rail its section is narrower by the cosine.
 TEST(ContactOnSections, ThatLeadToTheSideAreTheYawedProfile) {
@@ -103,7 +127,7 @@ TEST(ContactOnSections, ThatLeadToTheSideAreTheYawedProfile) {
          "turned.toml"});
     turned.folder = folder.path();
     const SceneResult yawed = Sequence().solve(turned);
-    // The elements lie along the track here and along the rail there.
+    // Elements lie along the rail both times, but their rows and columns begin elsewhere.
     EXPECT_NEAR(number(aside, "vertical"), number(yawed, "vertical"), 1e-4) << lateral;
     EXPECT_NEAR(number(aside, "approach"), number(yawed, "approach"), 1e-4) << lateral;
     EXPECT_NEAR(number(aside, "pmax"), number(yawed, "pmax"), 0.01 * number(yawed, "pmax")) << lateral;
@@ -130,6 +154,22 @@ TEST(ContactOnSections, OfARisingNoseIsThatOfTheNoseTurnedLevel) {
   EXPECT_NEAR(number(rising, "area"), number(level, "area"), 1.01 * 0.6 * 0.4);
   // The centre of the axle stands above the ramp by the radius over the cosine.
   EXPECT_NEAR(number(rising, "vertical") - number(level, "vertical"), -30 - 460 * (1 / cosine - 1), 0.1);
+}
+
+/// The same wherever the wheel touches it and however it is yawed: seen along the ramp the nose is a prism.
+TEST(ContactOnSections, OfARisingNoseIsAlongItsNormalOnTheGaugeCornerToo) {
+  const TemporaryFolder folder;
+  write_head(folder.path() / "a.txt", 0);
+  write_head(folder.path() / "b.txt", -100);
+  for (const double lateral : {3.0, 5.0, 6.0})
+    for (const double yaw : {0.0, 0.01, -0.02}) {
+      const SceneResult r = certified_on(
+          folder.path(), nose,
+          fmt::format("motion.frictionless = true\nsolver.model = 'tangent_plane'\nload.force = 80000\n"
+                      "position.lateral = {}\nposition.yaw = {}\n",
+                      lateral, yaw));
+      EXPECT_NEAR(number(r, "Fx_slope") / number(r, "Fz"), 0.1, 1e-12) << lateral << " " << yaw;
+    }
 }
 
 /// An error about a section's profile names the section.
