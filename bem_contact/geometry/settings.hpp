@@ -52,10 +52,10 @@ BEM_CONTACT_TUNED(double, crossing_distance, 1e-13); ///< mm. As above.
 
 // Rails of sections.
 
-/// rad. The line of corresponding points along which a rail is looked at is taken as turned by at most this
-/// much off the rolling direction: on a flank that rises 1:5 it is, and at a blunt tip it leads around the
-/// tip.
-BEM_CONTACT_TUNED(double, farthest_turn, 0.2);
+/// rad. A rail is looked at along its line of corresponding points, as long as that is turned by less than
+/// this off the rolling direction: on the steepest flank that rises 1:2.5 it is. At a blunt tip it leads
+/// around the tip.
+BEM_CONTACT_TUNED(double, farthest_turn, 0.4);
 
 // Slices and planar rows.
 

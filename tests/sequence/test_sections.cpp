@@ -160,16 +160,18 @@ TEST(ContactOnSections, OfARisingNoseIsThatOfTheNoseTurnedLevel) {
 TEST(ContactOnSections, OfARisingNoseIsAlongItsNormalOnTheGaugeCornerToo) {
   const TemporaryFolder folder;
   write_head(folder.path() / "a.txt", 0);
-  write_head(folder.path() / "b.txt", -100);
-  for (const double lateral : {3.0, 5.0, 6.0})
-    for (const double yaw : {0.0, 0.01, -0.02}) {
-      const SceneResult r = certified_on(
-          folder.path(), nose,
-          fmt::format("motion.frictionless = true\nsolver.model = 'tangent_plane'\nload.force = 80000\n"
-                      "position.lateral = {}\nposition.yaw = {}\n",
-                      lateral, yaw));
-      EXPECT_NEAR(number(r, "Fx_slope") / number(r, "Fz"), 0.1, 1e-12) << lateral << " " << yaw;
-    }
+  for (const double rise : {0.1, 0.2, 0.3}) {
+    write_head(folder.path() / "b.txt", -1000 * rise);
+    for (const double lateral : {3.0, 5.0, 6.0})
+      for (const double yaw : {0.0, 0.01, -0.02}) {
+        const SceneResult r = certified_on(
+            folder.path(), nose,
+            fmt::format("motion.frictionless = true\nsolver.model = 'tangent_plane'\nload.force = 80000\n"
+                        "position.lateral = {}\nposition.yaw = {}\n",
+                        lateral, yaw));
+        EXPECT_NEAR(number(r, "Fx_slope") / number(r, "Fz"), rise, 1e-12) << lateral << " " << yaw;
+      }
+  }
 }
 
 /// An error about a section's profile names the section.
