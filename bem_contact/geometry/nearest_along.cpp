@@ -22,9 +22,10 @@ constexpr double steepest = 4;
 NearestAlong::NearestAlong(UnevenSurfaces surfaces, const WheelFrame& frame, double wheel_radius)
     : surfaces_(std::move(surfaces)), frame_(frame), radius_(wheel_radius) {
   // A round wheel rises by x^2 / 2R: farther away than this unevenness cannot bring it to the rail.
-  const double reach = std::sqrt(2 * (surfaces_.range() + uneven_margin) / wheel_radius) +
-                       steepest * std::abs(frame.axle[0]) + uneven_step / wheel_radius;
-  const int count = static_cast<int>(std::ceil(reach * wheel_radius / uneven_step));
+  const double reach = std::sqrt(2 * (surfaces_.range() + uneven_margin) / wheel_radius),
+               turn = steepest * std::abs(frame.axle[0]);
+  beside_ = 1 + static_cast<int>(std::ceil(reach * wheel_radius / uneven_step));
+  const int count = beside_ + static_cast<int>(std::ceil(turn * wheel_radius / uneven_step));
   for (int i = -count; i <= count; ++i)
     samples_.push_back(sample(i * uneven_step / wheel_radius));
 }
@@ -78,8 +79,12 @@ NearestAlong::Place NearestAlong::at(double s, Point2 section, const Vector3& no
            0};
   c.n_radial = std::hypot(c.n_down, c.n_forward);
   const int last = static_cast<int>(samples_.size()) - 1;
-  std::vector<double> reaches(samples_.size());
-  std::ranges::transform(samples_, reaches.begin(), [&](const Sample& one) { return reach(c, one); });
+  const int even =
+      last / 2 + static_cast<int>(std::lround(std::atan2(c.n_forward, c.n_down) * radius_ / uneven_step));
+  const int begin = std::clamp(even - beside_, 0, last), stop = std::clamp(even + beside_, 0, last);
+  std::vector<double> reaches(samples_.size(), -std::numeric_limits<double>::infinity());
+  for (int i = begin; i <= stop; ++i)
+    reaches[i] = reach(c, samples_[i]);
   const int best = static_cast<int>(std::ranges::max_element(reaches) - reaches.begin());
   const auto angle_at = [&](double samples) { // from the best one
     return samples_[best].theta + samples * uneven_step / radius_;
@@ -93,7 +98,7 @@ NearestAlong::Place NearestAlong::at(double s, Point2 section, const Vector3& no
 
   const double inside = most - uneven_depth;
   int first = best, end = best; // of the samples in the stretch; what lies between its parts belongs to it
-  for (int i = 0; i <= last; ++i)
+  for (int i = begin; i <= stop; ++i)
     if (reaches[i] >= inside)
       first = std::min(first, i), end = std::max(end, i);
   const auto x_at = [&](double angle) { return x_of(c, sample(angle)); };

@@ -50,6 +50,7 @@ private:
   WheelFrame frame_;
   double radius_ = 0;
   std::vector<Sample> samples_;
+  int beside_ = 0; ///< so many samples on either side of where an even circle is nearest are looked at
 };
 
 } // namespace bem_contact
