@@ -112,7 +112,7 @@ std::optional<ContactLocus::Point> ContactLocus::point(double s, Point2 position
   if (roller_)
     p = roller_->unrolled(p);
   if (m->uneven)
-    return Point{s, m->uneven->x, {p[1], p[2]}, m->uneven->rail_lower, m->uneven->ahead};
+    return Point{s, m->uneven->x, {p[1], p[2]}, m->uneven->rail_lower, m->uneven->ahead, m->uneven->sharper};
   return Point{s, p[0], {p[1], p[2]}};
 }
 
@@ -163,10 +163,7 @@ double ContactLocus::curvature_along_x(int k, double t) const {
   const Surface there = surface(s, q.position, q.tangent, *m);
   const double share = there.along_profile;
   const double even = profile * share * share + around * (1 - share * share) + there.rail;
-  if (!nearest_)
-    return even;
-  const auto uneven = meridian(s, q.position, q.tangent)->uneven;
-  return std::max(even, 2 * least_slice_curvature / radius_) * (uneven ? uneven->sharper : 1.0);
+  return nearest_ ? std::max(even, 2 * least_slice_curvature / radius_) : even;
 }
 
 std::optional<CurvePoint> ContactLocus::at(double s) const {

@@ -23,8 +23,8 @@ namespace bem_contact {
 /// rail. At an edge (a convex kink of the profile) the normal turns while s stays.
 ///
 /// Of an uneven wheel or rail the locus has the point of each circle that comes nearest to the straightened
-/// rail (NearestAlong). Its x is then the middle of the stretch that is nearly as near, and its curvature
-/// along x that of a parabola as wide as the stretch.
+/// rail (NearestAlong). Its x and its curvature along x are those of a round wheel, and what the stretch that
+/// is nearly as near has more than that of a round wheel.
 class ContactLocus {
 public:
   explicit ContactLocus(const WheelOnRail& pair);
@@ -35,6 +35,7 @@ public:
     Point2 position;       ///< (y, z), mm
     double rail_lower = 0; ///< how much lower than a straight rail an uneven one is under it, mm
     double ahead = 0;      ///< of where a round wheel would be nearest to a straight rail, mm
+    double sharper = 1;    ///< curvature along x in that of a round wheel on a straight rail
   };
   /// Nodes lie in walking order, from the field side to the flange, at most 0.1 mm of s apart. A node that
   /// begins a stretch of its own has `joined` false.
@@ -48,7 +49,7 @@ public:
   /// Between nodes k and k + 1, 0 <= t <= 1 (joined ones).
   Point between(int k, double t) const;
   /// Curvature of the wheel along x there, positive where it is convex (1 / radius on the tread), with that
-  /// of a roller, 1/mm.
+  /// of a roller, 1/mm; of an uneven one as if it was round (Point::sharper).
   double curvature_along_x(int k, double t) const;
   /// At an arc length of the wheel's profile, with the inclination of the surface in the track frame (near pi
   /// on the tread) and the curvature of the profile; nothing where there is no locus.

@@ -17,7 +17,7 @@ struct RailSlice {
   Point2 position;   ///< on the rail, mm, track frame (WheelOnRail)
   /// Where the wheel comes nearest to it, how much lower than a straight rail an uneven one is, mm.
   double rail_lower = 0;
-  double ahead = 0;
+  double ahead = 0; ///< by how much unevenness moves that place along x, mm
 
   /// How deep the bodies overlap where they approach by q (along z), mm; < 0: not at all.
   double depth(double q) const { return q * cosine - gap; }

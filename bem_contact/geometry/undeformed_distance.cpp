@@ -276,7 +276,7 @@ std::vector<RowOnLocus> rows_on_locus(const ContactLocus& locus, std::span<const
     if (!found)
       continue;
     const ContactLocus::Point p = locus.between(found->k, found->t);
-    out[i] = {found->distance, p.x,    p.s, 0.5 * locus.curvature_along_x(found->k, found->t),
+    out[i] = {found->distance, p.x,    p.s, 0.5 * p.sharper * locus.curvature_along_x(found->k, found->t),
               p.rail_lower,    p.ahead};
   }
   return out;
